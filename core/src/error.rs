@@ -1,0 +1,18 @@
+use thiserror::Error;
+
+/// Input for which there is no ray.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum CoreError {
+    /// The observer's radius is not above the horizon.
+    #[error("radius {0} is not above the horizon: r must be greater than 1 (in units of r_s)")]
+    Radius(f64),
+    /// The view angle is outside [0, π].
+    #[error("view angle {0} rad is outside 0 to π")]
+    ViewAngle(f64),
+    /// The impact parameter is not a positive number.
+    #[error("impact parameter {0} is not a positive finite number")]
+    ImpactParameter(f64),
+    /// A question that only an observer at infinity can be asked, or only one at a finite radius.
+    #[error("an observer at infinity has an impact parameter, not a view angle")]
+    FarHasNoAngle,
+}
