@@ -1,1 +1,4 @@
-//! Placeholder.
+//! Baking bending tables and checking them: what the `bake` program is made of.
+
+pub mod baker;
+pub mod measure;

@@ -28,6 +28,7 @@ mod ray;
 pub mod rk4;
 pub mod series;
 
+pub use direct::BendAndSlope;
 pub use error::CoreError;
 pub use fate::Fate;
 pub use observer::{EdgeCoordinate, Observer};

@@ -147,6 +147,11 @@ impl Observer {
         2.0 * self.tan_half_edge.atan()
     }
 
+    /// cos θ_c: 1 at infinity, 0 at the photon sphere, −1 at the horizon.
+    pub fn cos_edge(&self) -> f64 {
+        self.cos_edge
+    }
+
     /// tan(θ_c/2), the factor of the axis map; 0 at infinity.
     pub fn tan_half_edge(&self) -> f64 {
         self.tan_half_edge

@@ -1,0 +1,1 @@
+//! How wrong a table is: its lookup against the closed form, off the nodes.

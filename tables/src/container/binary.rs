@@ -1,0 +1,106 @@
+//! The binary container. The only place that knows of bincode.
+//!
+//! ```text
+//! magic "LENSBAKE" | version u32 | header length u32 | header (bincode) | texels f32 … | CRC-32 u32
+//! ```
+//!
+//! All numbers are little-endian. The checksum covers the header and the texels.
+
+use super::{VERSION, checksum};
+use crate::error::Problem;
+use crate::{Header, Table};
+
+pub(super) const MAGIC: [u8; 8] = *b"LENSBAKE";
+const PREFIX: usize = MAGIC.len() + 4 + 4;
+/// No header is longer; a solver's name is its only part without a fixed length.
+const MAX_HEADER: usize = 4096;
+const TEXEL: u64 = 8;
+const CHECKSUM: u64 = 4;
+
+fn layout() -> impl bincode::config::Config {
+    bincode::config::standard()
+        .with_little_endian()
+        .with_fixed_int_encoding()
+        .with_limit::<MAX_HEADER>()
+}
+
+pub(super) fn encode_header(header: &Header) -> Result<Vec<u8>, Problem> {
+    bincode::serde::encode_to_vec(header, layout()).map_err(|e| Problem::Header(e.to_string()))
+}
+
+pub(super) fn encode(table: &Table) -> Result<Vec<u8>, Problem> {
+    let header = encode_header(table.header())?;
+    let mut bytes = Vec::with_capacity(PREFIX + header.len() + table.bytes() + 4);
+    bytes.extend(MAGIC);
+    bytes.extend(VERSION.to_le_bytes());
+    bytes.extend((header.len() as u32).to_le_bytes());
+    bytes.extend(&header);
+    for texel in table.texels() {
+        bytes.extend(texel[0].to_le_bytes());
+        bytes.extend(texel[1].to_le_bytes());
+    }
+    bytes.extend(checksum(&header, table.texels()).to_le_bytes());
+    Ok(bytes)
+}
+
+pub(super) fn decode(bytes: &[u8]) -> Result<Table, Problem> {
+    let found = bytes.len() as u64;
+    let too_short = |expected: u64| Problem::Length { expected, found };
+    let version = word(bytes, MAGIC.len()).ok_or(too_short(PREFIX as u64))?;
+    if version != VERSION {
+        return Err(Problem::Version {
+            found: version.into(),
+            known: VERSION,
+        });
+    }
+    let header_length = word(bytes, MAGIC.len() + 4).ok_or(too_short(PREFIX as u64))? as usize;
+    if header_length > MAX_HEADER {
+        let message = format!("{header_length} bytes long, more than {MAX_HEADER}");
+        return Err(Problem::Header(message));
+    }
+    let header_end = PREFIX + header_length;
+    let header_bytes = bytes
+        .get(PREFIX..header_end)
+        .ok_or(too_short(header_end as u64))?;
+    let header = decode_header(header_bytes)?;
+    header.validate()?;
+
+    let expected = header_end as u64 + header.texel_count() * TEXEL + CHECKSUM;
+    if found != expected {
+        return Err(Problem::Length { expected, found });
+    }
+    let (texel_bytes, stored) = bytes[header_end..].split_at(bytes.len() - header_end - 4);
+    let texels: Vec<_> = texel_bytes
+        .chunks_exact(TEXEL as usize)
+        .map(|t| [float(&t[..4]), float(&t[4..])])
+        .collect();
+    let (stored, computed) = (word(stored, 0), checksum(header_bytes, &texels));
+    if stored != Some(computed) {
+        return Err(Problem::Checksum {
+            expected: stored.unwrap_or_default(),
+            found: computed,
+        });
+    }
+    Ok(Table::new(header, texels)?)
+}
+
+fn decode_header(bytes: &[u8]) -> Result<Header, Problem> {
+    let (header, read) = bincode::serde::decode_from_slice(bytes, layout())
+        .map_err(|e| Problem::Header(e.to_string()))?;
+    if read != bytes.len() {
+        return Err(Problem::Header(format!(
+            "{} bytes too long",
+            bytes.len() - read
+        )));
+    }
+    Ok(header)
+}
+
+fn word(bytes: &[u8], at: usize) -> Option<u32> {
+    let four = bytes.get(at..at + 4)?;
+    Some(u32::from_le_bytes(four.try_into().ok()?))
+}
+
+fn float(four: &[u8]) -> f32 {
+    f32::from_le_bytes([four[0], four[1], four[2], four[3]])
+}

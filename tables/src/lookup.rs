@@ -1,0 +1,160 @@
+//! The lookup as a GPU does it, in f32, beside its WGSL text ([`WGSL`]): function for function the
+//! same. The reference in f64 is [`crate::Row::bend`].
+
+use crate::axis::log_weight;
+use crate::{Row, Texel};
+use lensbake_core::{Fate, Observer};
+
+/// The same lookup for a GPU. Needs before it the text of [`wgsl_row`].
+pub const WGSL: &str = include_str!("lookup.wgsl");
+
+/// WGSL that declares the row as a 1-D texture of `texels` texels at the given binding, and loads
+/// from it. The texels are interpolated by hand: hardware filters have 8-bit weights.
+pub fn wgsl_row(texels: u32, group: u32, binding: u32) -> String {
+    format!(
+        "const ROW_LAST: u32 = {}u;\n\
+         @group({group}) @binding({binding}) var row: texture_1d<f32>;\n\
+         fn row_texel(i: u32) -> vec2<f32> {{ return textureLoad(row, i, 0).xy; }}\n",
+        texels - 1
+    )
+}
+
+/// The shadow's edge as the observer sees it; laid out as the WGSL struct is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C)]
+pub struct Edge {
+    /// tan(θ_c/2).
+    pub tan_half: f32,
+    /// (5/18) cos θ_c, the weight of (1−x) ln(1−x) beside ln(1−x).
+    pub log_weight: f32,
+}
+
+impl Edge {
+    /// The edge that `observer` sees.
+    pub fn of(observer: &Observer) -> Self {
+        Edge {
+            tan_half: observer.tan_half_edge() as f32,
+            log_weight: log_weight(observer) as f32,
+        }
+    }
+}
+
+/// A row as a GPU holds it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GpuRow {
+    /// The edge it is measured from.
+    pub edge: Edge,
+    /// The texels, array of shape [texels].
+    pub texels: Vec<Texel>,
+}
+
+/// The bending as a GPU finds it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bending {
+    /// Δ, rad.
+    pub bend: f32,
+    /// dΔ/dθ along the view angle.
+    pub slope: f32,
+}
+
+/// x = tan(θ_c/2) / tan(θ/2) of a unit direction with cos θ = `c` and sin θ = `p` ≥ 0.
+pub fn edge_coordinate(c: f32, p: f32, edge: Edge) -> f32 {
+    let cot_half = if c >= 0.0 {
+        (1.0 + c) / p.max(1e-30)
+    } else {
+        p / (1.0 - c)
+    };
+    edge.tan_half * cot_half
+}
+
+impl GpuRow {
+    /// The row as it is uploaded. The shader knows the residual axis only.
+    pub fn new(row: &Row) -> Self {
+        GpuRow {
+            edge: Edge::of(row.observer()),
+            texels: row.gpu_texels(),
+        }
+    }
+
+    /// Cubic Hermite at `position` in texels: the value and its derivative a texel.
+    pub fn hermite(&self, position: f32) -> [f32; 2] {
+        let i = (position as usize).min(self.texels.len() - 2);
+        let t = position - i as f32;
+        let ([a, slope_a], [b, slope_b]) = (self.texels[i], self.texels[i + 1]);
+        let rise = b - a;
+        let c2 = 3.0 * rise - 2.0 * slope_a - slope_b;
+        let c3 = slope_a + slope_b - 2.0 * rise;
+        [
+            a + t * (slope_a + t * (c2 + t * c3)),
+            slope_a + t * (2.0 * c2 + t * 3.0 * c3),
+        ]
+    }
+
+    /// The bending in the direction with cos θ = `c` and sin θ = `p`.
+    pub fn bending(&self, c: f32, p: f32) -> Fate<Bending> {
+        let x = edge_coordinate(c, p, self.edge);
+        if x >= 1.0 {
+            return Fate::Captured;
+        }
+        let last = (self.texels.len() - 1) as f32;
+        let d = 1.0 - x;
+        let root = x.sqrt();
+        let q = (d / (1.0 + root)).sqrt();
+        let [value, slope] = self.hermite(q * last);
+        let ln = d.ln();
+        let factor = 1.0 + self.edge.log_weight * d;
+        let dx_dq = -4.0 * q * root.max(1e-9);
+        let by_x = slope * last / dx_dq + self.edge.log_weight * ln + factor / d;
+        Fate::Escapes(Bending {
+            bend: value - factor * ln,
+            slope: -by_x * x / p.max(1e-30),
+        })
+    }
+}
+
+/// (cos, sin) of an angle in rad, to 1e-7 up to 100 turns: Cody and Waite's reduction to a quarter
+/// turn and the polynomials of Moshier's Cephes.
+pub fn cos_sin(angle: f32) -> [f32; 2] {
+    let quarter = (angle * std::f32::consts::FRAC_2_PI).round();
+    let r = quarter.mul_add(
+        4.371_139e-8,
+        quarter.mul_add(-std::f32::consts::FRAC_PI_2, angle),
+    );
+    let r2 = r * r;
+    let sine = r + r * r2 * (-1.666_665_4e-1 + r2 * (8.332_161e-3 + r2 * -1.951_529_6e-4));
+    let cosine =
+        1.0 - 0.5 * r2 + r2 * r2 * (4.166_664_6e-2 + r2 * (-1.388_731_6e-3 + r2 * 2.443_315_7e-5));
+    match quarter as i32 & 3 {
+        0 => [cosine, sine],
+        1 => [-sine, cosine],
+        2 => [-cosine, -sine],
+        _ => [sine, -cosine],
+    }
+}
+
+/// (cos θ′, sin θ′) of the direction turned towards the hole, θ′ = θ − Δ.
+pub fn turned(c: f32, p: f32, bend: f32) -> [f32; 2] {
+    let [cos, sin] = cos_sin(bend);
+    [c * cos + p * sin, p * cos - c * sin]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cos_sin_is_good_to_a_few_ulp() {
+        for i in -20_000..20_000 {
+            let angle = i as f32 * 1e-3;
+            let [cos, sin] = cos_sin(angle);
+            let (exact_sin, exact_cos) = f64::from(angle).sin_cos();
+            assert!((f64::from(cos) - exact_cos).abs() < 1.5e-7, "cos {angle}");
+            assert!((f64::from(sin) - exact_sin).abs() < 1.5e-7, "sin {angle}");
+        }
+    }
+
+    #[test]
+    fn turning_by_nothing_changes_nothing() {
+        assert_eq!(turned(0.6, 0.8, 0.0), [0.6, 0.8]);
+    }
+}
