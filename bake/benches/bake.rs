@@ -1,0 +1,14 @@
+//! What the default atlas costs to bake.
+
+use bake::baker::{Recipe, bake};
+use criterion::{Criterion, criterion_group, criterion_main};
+
+fn default_atlas(c: &mut Criterion) {
+    let recipe = Recipe::default();
+    c.bench_function("bake the default atlas", |b| {
+        b.iter(|| bake(&recipe, || ()))
+    });
+}
+
+criterion_group!(benches, default_atlas);
+criterion_main!(benches);

@@ -1,0 +1,93 @@
+//! `bake`: bakes a table, measures it, writes it.
+
+use super::{CommandError, Outcome};
+use crate::cli::{AxisName, BakeArgs};
+use crate::progress::Progress;
+use bake::baker::{self, Recipe};
+use bake::measure::measured;
+use lensbake_tables::container::{self, Container};
+use lensbake_tables::{Axis, Rows, Table};
+use std::time::Instant;
+
+pub fn run(args: &BakeArgs) -> Result<Outcome, CommandError> {
+    // A wrong ending is found before the work, not after it.
+    for path in &args.output {
+        Container::of(path)?;
+    }
+    let recipe = recipe(args);
+    let table = match args.threads {
+        None => bake_and_measure(&recipe)?,
+        Some(count) => rayon::ThreadPoolBuilder::new()
+            .num_threads(count.into())
+            .build()
+            .map_err(|e| CommandError::Threads(e.to_string()))?
+            .install(|| bake_and_measure(&recipe))?,
+    };
+    let error = table.header().measured.max_error;
+    if let Some(budget) = args.budget.filter(|&budget| error > budget) {
+        eprintln!("the error is above the budget of {budget:.3e} rad: nothing is written");
+        return Ok(Outcome::BudgetMissed);
+    }
+    for path in &args.output {
+        container::write(path, &table)?;
+        eprintln!("wrote {}", path.display());
+    }
+    Ok(Outcome::Done)
+}
+
+fn recipe(args: &BakeArgs) -> Recipe {
+    let Recipe { texels, rows, .. } = Recipe::default();
+    let (b_min, b_max) = (args.b_min, args.b_max);
+    let (axis, texels) = match args.axis {
+        AxisName::Residual => (Axis::Residual, texels),
+        AxisName::B => (Axis::UniformB { b_min, b_max }, 1024),
+        AxisName::InverseB => (Axis::UniformInverseB { b_min, b_max }, 1024),
+        AxisName::LogB => (Axis::UniformLogB { b_min, b_max }, 1024),
+    };
+    let far = Rows::One {
+        inverse_radius: 0.0,
+    };
+    let rows = match (args.observer, args.rows) {
+        (Some(observer), _) => Rows::One {
+            inverse_radius: observer.inverse_radius(),
+        },
+        (None, Some(count)) => Rows::Chi { count },
+        (None, None) if axis == Axis::Residual => rows,
+        (None, None) => far,
+    };
+    Recipe {
+        axis,
+        rows,
+        texels: args.texels.unwrap_or(texels),
+        tolerance: args.tolerance,
+    }
+}
+
+fn bake_and_measure(recipe: &Recipe) -> Result<Table, CommandError> {
+    let rows = match recipe.rows {
+        Rows::One { .. } => 1,
+        Rows::Chi { count } => count,
+    };
+    let progress = Progress::new("baking", rows.into());
+    let table = baker::bake(recipe, || progress.step())?;
+    let seconds = progress.finish().as_secs_f64();
+    eprintln!(
+        "baked {rows} x {} texels ({:.1} KiB) in {seconds:.3} s on {} threads",
+        recipe.texels,
+        table.bytes() as f64 / 1024.0,
+        rayon::current_num_threads(),
+    );
+    let started = Instant::now();
+    let table = measured(table, recipe)?;
+    let measured = table.header().measured;
+    eprintln!(
+        "largest error {:.3e} rad against the closed form over {} rays off the nodes, r from {:.6}, \
+         1 - x from {:.1e} (measured in {:.3} s)",
+        measured.max_error,
+        measured.rays,
+        measured.r_min,
+        measured.edge_gap,
+        started.elapsed().as_secs_f64(),
+    );
+    Ok(table)
+}

@@ -1,0 +1,30 @@
+//! `bake inspect`: what a table says of itself.
+
+use super::{CommandError, Outcome};
+use lensbake_tables::{Field, container};
+use std::io::{self, Write};
+use std::path::Path;
+
+pub fn run(file: &Path) -> Result<Outcome, CommandError> {
+    let table = container::read(file)?;
+    let mut lines = vec![("version".to_owned(), container::VERSION.to_string())];
+    for (name, field) in table.header().fields() {
+        lines.push((name.to_owned(), show(&field)));
+    }
+    lines.push(("bytes".into(), table.bytes().to_string()));
+    let mut out = io::stdout().lock();
+    lines
+        .iter()
+        .try_for_each(|(name, value)| writeln!(out, "{name:18} {value}"))
+        .map_err(CommandError::Stdout)?;
+    Ok(Outcome::Done)
+}
+
+fn show(field: &Field) -> String {
+    match field {
+        Field::Count(n) => n.to_string(),
+        Field::Real(x) if *x != 0.0 && x.abs() < 1e-3 => format!("{x:e}"),
+        Field::Real(x) => x.to_string(),
+        Field::Text(text) => text.clone(),
+    }
+}
