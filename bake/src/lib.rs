@@ -5,4 +5,3 @@ pub mod diff;
 pub mod measure;
 pub mod plot;
 pub mod rays;
-pub mod statistics;

@@ -132,6 +132,11 @@ impl Observer {
         self.u
     }
 
+    /// √(1 − 1/r), the rate of the observer's clock against one at infinity.
+    pub fn lapse(&self) -> f64 {
+        self.lapse
+    }
+
     /// χ with 1/r = sin²χ, in [0, π/2]: the coordinate along which the atlas has its rows.
     pub fn chi(&self) -> f64 {
         self.u.sqrt().atan2(self.lapse)

@@ -11,6 +11,7 @@ mod error;
 mod header;
 pub mod lookup;
 mod row;
+pub mod statistics;
 mod table;
 
 pub use atlas::{ATLAS_BINARY, ATLAS_EXR, default_atlas};

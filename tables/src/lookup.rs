@@ -116,10 +116,7 @@ impl GpuRow {
 /// turn and the polynomials of Moshier's Cephes.
 pub fn cos_sin(angle: f32) -> [f32; 2] {
     let quarter = (angle * std::f32::consts::FRAC_2_PI).round();
-    let r = quarter.mul_add(
-        4.371_139e-8,
-        quarter.mul_add(-std::f32::consts::FRAC_PI_2, angle),
-    );
+    let r = ((angle - quarter * 1.570_312_5) - quarter * 4.837_513e-4) - quarter * 7.549_79e-8;
     let r2 = r * r;
     let sine = r + r * r2 * (-1.666_665_4e-1 + r2 * (8.332_161e-3 + r2 * -1.951_529_6e-4));
     let cosine =

@@ -60,7 +60,8 @@ fn bending(c: f32, p: f32, edge: Edge) -> Bending {
 // 5e-4 on a Vulkan device, which is half a pixel.
 fn cos_sin(angle: f32) -> vec2<f32> {
     let quarter = round(angle * 0.63661975);
-    let r = fma(quarter, 4.371139e-8, fma(quarter, -1.5707964, angle));
+    // π/2 in three parts, the products of the first two exact: a device need not fuse an fma.
+    let r = ((angle - quarter * 1.5703125) - quarter * 4.837513e-4) - quarter * 7.54979e-8;
     let r2 = r * r;
     let sine = r + r * r2 * (-1.6666654e-1 + r2 * (8.332161e-3 + r2 * -1.9515296e-4));
     let cosine = 1.0 - 0.5 * r2 + r2 * r2 * (4.1666646e-2 + r2 * (-1.3887316e-3 + r2 * 2.4433157e-5));

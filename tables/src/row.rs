@@ -31,6 +31,11 @@ impl Row {
         self.axis
     }
 
+    /// Number of texels.
+    pub fn texel_count(&self) -> u32 {
+        self.texels.len() as u32
+    }
+
     /// The texels as a GPU holds them, array of shape [texels].
     pub fn gpu_texels(&self) -> Vec<Texel> {
         self.texels

@@ -1,4 +1,4 @@
-//! What a set of errors comes to.
+//! What a set of errors comes to: the one way in which all programs state it.
 
 use std::fmt;
 

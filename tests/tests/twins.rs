@@ -1,0 +1,179 @@
+//! The WGSL lookup against its Rust twin, function for function, on whatever adapter is there.
+
+use lensbake_core::{Fate, Observer};
+use lensbake_tables::lookup::{self, Edge, GpuRow, wgsl_row};
+use lensbake_tables::{Texel, default_atlas};
+use lensbake_tests::gpu;
+use viewer::gpu::Gpu;
+use wgpu::util::DeviceExt;
+use wgpu::*;
+
+/// What the probe writes for each direction.
+#[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+struct Probe {
+    x: f32,
+    captured: f32,
+    bend: f32,
+    slope: f32,
+    cos: f32,
+    sin: f32,
+    cos_sky: f32,
+    sin_sky: f32,
+}
+
+/// The probe reads a direction's (cos θ, sin θ) and an angle, and writes what each function makes of it.
+const PROBE: &str = "
+@group(0) @binding(0) var<storage, read> inputs: array<vec4<f32>>;
+@group(0) @binding(2) var<storage, read_write> probes: array<array<f32, 8>>;
+@compute @workgroup_size(64)
+fn probe(@builtin(global_invocation_id) id: vec3<u32>) {
+    if id.x >= arrayLength(&inputs) { return; }
+    let in = inputs[id.x];
+    let edge = Edge(EDGE_TAN_HALF, EDGE_LOG_WEIGHT);
+    let bent = bending(in.x, in.y, edge);
+    let trig = cos_sin(in.z);
+    let sky = turned(in.x, in.y, bent.bend);
+    probes[id.x] = array(edge_coordinate(in.x, in.y, edge), f32(bent.captured), bent.bend, bent.slope,
+        trig.x, trig.y, sky.x, sky.y);
+}";
+
+fn probe(gpu: &Gpu, edge: Edge, texels: &[Texel], inputs: &[[f32; 4]]) -> Vec<Probe> {
+    let constants = format!(
+        "const EDGE_TAN_HALF: f32 = {:e};\nconst EDGE_LOG_WEIGHT: f32 = {:e};\n",
+        edge.tan_half, edge.log_weight
+    );
+    let source = [
+        &wgsl_row(texels.len() as u32, 0, 1),
+        lookup::WGSL,
+        &constants,
+        PROBE,
+    ]
+    .join("\n");
+    let device = &gpu.device;
+    let module = device.create_shader_module(ShaderModuleDescriptor {
+        label: None,
+        source: ShaderSource::Wgsl(source.into()),
+    });
+    let pipeline = device.create_compute_pipeline(&ComputePipelineDescriptor {
+        label: None,
+        layout: None,
+        module: &module,
+        entry_point: Some("probe"),
+        compilation_options: Default::default(),
+        cache: None,
+    });
+    let input = device.create_buffer_init(&util::BufferInitDescriptor {
+        label: None,
+        contents: bytemuck::cast_slice(inputs),
+        usage: BufferUsages::STORAGE,
+    });
+    let row = device.create_texture_with_data(
+        &gpu.queue,
+        &TextureDescriptor {
+            label: None,
+            size: Extent3d {
+                width: texels.len() as u32,
+                height: 1,
+                depth_or_array_layers: 1,
+            },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: TextureDimension::D1,
+            format: TextureFormat::Rg32Float,
+            usage: TextureUsages::TEXTURE_BINDING,
+            view_formats: &[],
+        },
+        util::TextureDataOrder::LayerMajor,
+        bytemuck::cast_slice(texels),
+    );
+    let buffer = |usage| {
+        device.create_buffer(&BufferDescriptor {
+            label: None,
+            size: (inputs.len() * size_of::<Probe>()) as u64,
+            usage,
+            mapped_at_creation: false,
+        })
+    };
+    let written = buffer(BufferUsages::STORAGE | BufferUsages::COPY_SRC);
+    let read_back = buffer(BufferUsages::COPY_DST | BufferUsages::MAP_READ);
+    let row_view = row.create_view(&Default::default());
+    let entry = |binding, resource| BindGroupEntry { binding, resource };
+    let bind_group = device.create_bind_group(&BindGroupDescriptor {
+        label: None,
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &[
+            entry(0, input.as_entire_binding()),
+            entry(1, BindingResource::TextureView(&row_view)),
+            entry(2, written.as_entire_binding()),
+        ],
+    });
+    let mut encoder = device.create_command_encoder(&Default::default());
+    {
+        let mut pass = encoder.begin_compute_pass(&Default::default());
+        pass.set_pipeline(&pipeline);
+        pass.set_bind_group(0, &bind_group, &[]);
+        pass.dispatch_workgroups((inputs.len() as u32).div_ceil(64), 1, 1);
+    }
+    encoder.copy_buffer_to_buffer(&written, 0, &read_back, 0, read_back.size());
+    gpu.queue.submit([encoder.finish()]);
+    gpu.read(&read_back).unwrap()
+}
+
+/// Directions all round, crowding the edge from both sides, and angles up to three turns.
+fn inputs(observer: &Observer) -> Vec<[f32; 4]> {
+    let edge = observer.edge_angle();
+    let round = (0..=2000).map(|i| f64::from(i) / 2000.0 * std::f64::consts::PI);
+    let crowd = (0..600).flat_map(|i| {
+        let offset = 10f64.powf(-f64::from(i) / 100.0);
+        [edge + offset, edge - offset]
+    });
+    round
+        .chain(crowd)
+        .filter(|theta| (0.0..=std::f64::consts::PI).contains(theta))
+        .enumerate()
+        .map(|(i, theta)| {
+            let (sin, cos) = theta.sin_cos();
+            [cos as f32, sin.abs() as f32, (i as f32 - 1000.0) * 0.02, 0.0]
+        })
+        .collect()
+}
+
+#[test]
+#[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
+fn the_gpu_finds_what_its_rust_twin_finds() {
+    let gpu = gpu();
+    let mut compared = 0;
+    for r in [1.01, 1.2, 1.5, 2.0, 5.0, 25.0, 1000.0] {
+        let observer = Observer::at(r).unwrap();
+        let row = GpuRow::new(&default_atlas().row(observer).unwrap());
+        let inputs = inputs(&observer);
+        let probes = probe(&gpu, row.edge, &row.texels, &inputs);
+        for (&[c, p, angle, _], probe) in inputs.iter().zip(&probes) {
+            let at = format!("r {r}, cos {c}, sin {p}: {probe:?}");
+            let [cos, sin] = lookup::cos_sin(angle);
+            assert!((probe.cos - cos).abs() < 3e-7 && (probe.sin - sin).abs() < 3e-7, "{at}");
+            let x = lookup::edge_coordinate(c, p, row.edge);
+            assert!((probe.x - x).abs() <= 4e-7 * x || x > 1e6, "{at}: x {x}");
+            // One rounding of x moves the bending by its slope there: ε/(1−x) of a logarithm.
+            let rounding = 1e-6 / (1.0 - x).abs();
+            match row.bending(c, p) {
+                Fate::Captured => assert!(probe.captured == 1.0 || x < 1.0 + 1e-6, "{at}"),
+                Fate::Escapes(twin) => {
+                    assert!(probe.captured == 0.0 || x > 1.0 - 1e-6, "{at}");
+                    if rounding > 1e-2 {
+                        continue;
+                    }
+                    assert!((probe.bend - twin.bend).abs() < 2e-6 + rounding, "{at}: {twin:?}");
+                    let slope = (probe.slope - twin.slope).abs();
+                    assert!(slope < (1e-4 + 30.0 * rounding) * (1.0 + twin.slope.abs()), "{at}: {twin:?}");
+                    let [cos_sky, sin_sky] = lookup::turned(c, p, twin.bend);
+                    let off = (probe.cos_sky - cos_sky).hypot(probe.sin_sky - sin_sky);
+                    assert!(off < 3e-6 + rounding, "{at}: {cos_sky} {sin_sky}");
+                }
+            }
+            compared += 1;
+        }
+    }
+    assert!(compared > 10_000, "{compared}");
+}

@@ -1,0 +1,188 @@
+//! The command line.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+use viewer::camera::View;
+use viewer::scene::Method;
+use viewer::sky::SkySource;
+
+/// Draw the sky as a black hole bends it.
+///
+/// Lengths are in units of the Schwarzschild radius, angles in degrees. Exit code 0: done, 1: a budget
+/// was missed, 2: bad usage or input.
+#[derive(Debug, Parser)]
+#[command(version)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Draw a picture to a file.
+    Render(RenderArgs),
+    /// Draw by lookup and by direct integration, and say how far they are apart.
+    Diff(DiffArgs),
+}
+
+/// Options of `viewer render`.
+#[derive(Debug, Args)]
+pub struct RenderArgs {
+    /// Picture to write: .png as a screen shows it, .exr in linear light.
+    #[arg(short, long, value_name = "FILE", default_value = "lensed.png")]
+    pub output: PathBuf,
+    /// Who bends the light: the table, direct integration, or nobody.
+    #[arg(long, value_enum, default_value_t = MethodName::Lut)]
+    pub method: MethodName,
+    /// The scene.
+    #[command(flatten)]
+    pub scene: SceneArgs,
+}
+
+/// Options of `viewer diff`.
+#[derive(Debug, Args)]
+pub struct DiffArgs {
+    /// Heat map (PNG) of the lookup's distance from direct integration, in image space.
+    #[arg(short, long, value_name = "FILE", default_value = "diff.png")]
+    pub output: PathBuf,
+    /// Largest error of the lookup against the closed form allowed in image space, in pixels; above
+    /// it the exit code is 1.
+    #[arg(long, value_name = "PX", default_value_t = 0.002)]
+    pub budget_px: f64,
+    /// The scene.
+    #[command(flatten)]
+    pub scene: SceneArgs,
+}
+
+/// The scene and what draws it.
+#[derive(Debug, Args)]
+pub struct SceneArgs {
+    /// Size of the picture.
+    #[arg(long, value_name = "WxH", default_value = "1920x1080", value_parser = size)]
+    pub size: (u32, u32),
+    /// Field of view across the picture, between 0 and 180.
+    #[arg(long, value_name = "DEG", default_value_t = View::default().fov_deg, allow_negative_numbers = true)]
+    pub fov: f64,
+    /// Radius of the camera, above 1 (the horizon).
+    #[arg(short, long, value_name = "R", default_value_t = View::default().radius, allow_negative_numbers = true)]
+    pub radius: f64,
+    /// Look this far to the right of the hole.
+    #[arg(
+        long,
+        value_name = "DEG",
+        default_value_t = 0.0,
+        allow_negative_numbers = true
+    )]
+    pub yaw: f64,
+    /// Look this far above the hole.
+    #[arg(
+        long,
+        value_name = "DEG",
+        default_value_t = 0.0,
+        allow_negative_numbers = true
+    )]
+    pub pitch: f64,
+    /// Roll the camera clockwise.
+    #[arg(
+        long,
+        value_name = "DEG",
+        default_value_t = 0.0,
+        allow_negative_numbers = true
+    )]
+    pub roll: f64,
+    /// Longitude of the camera about the hole.
+    #[arg(
+        long,
+        value_name = "DEG",
+        default_value_t = 0.0,
+        allow_negative_numbers = true
+    )]
+    pub orbit: f64,
+    /// Latitude of the camera about the hole.
+    #[arg(
+        long,
+        value_name = "DEG",
+        default_value_t = 0.0,
+        allow_negative_numbers = true
+    )]
+    pub latitude: f64,
+    /// Sky: `nebula`, `starmap`, `grid`, a panorama (2:1), or six cube faces separated by commas:
+    /// right,left,top,bottom,front,back. PNG, JPEG, HDR or EXR.
+    #[arg(short, long, value_name = "SKY", default_value = "nebula", value_parser = sky)]
+    pub sky: SkySource,
+    /// Bending table [default: the built-in atlas].
+    #[arg(short, long, value_name = "FILE")]
+    pub table: Option<PathBuf>,
+    /// Step of direct integration on the orbit, in rad, from 0.001 to 0.5.
+    #[arg(long, value_name = "RAD", default_value_t = Method::DEFAULT_STEP, allow_negative_numbers = true)]
+    pub step: f64,
+    /// Where to draw. `auto` takes the GPU if there is one.
+    #[arg(short, long, value_enum, default_value_t = DeviceName::Auto)]
+    pub device: DeviceName,
+}
+
+/// Who bends the light.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum MethodName {
+    /// The table: one lookup a pixel.
+    Lut,
+    /// RK4 along every ray.
+    Direct,
+    /// Nobody; the horizon is a plain sphere.
+    Flat,
+}
+
+/// Where to draw.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum DeviceName {
+    /// On the GPU if there is one, else on the CPU.
+    Auto,
+    /// On the GPU.
+    Gpu,
+    /// On the CPU, in f64: the reference.
+    Cpu,
+}
+
+impl SceneArgs {
+    /// The view asked for.
+    pub fn view(&self) -> View {
+        let (width, height) = self.size;
+        View {
+            radius: self.radius,
+            orbit_deg: self.orbit,
+            latitude_deg: self.latitude,
+            yaw_deg: self.yaw,
+            pitch_deg: self.pitch,
+            roll_deg: self.roll,
+            fov_deg: self.fov,
+            width,
+            height,
+        }
+    }
+}
+
+fn size(text: &str) -> Result<(u32, u32), String> {
+    let parsed = text.split_once(['x', 'X']).and_then(|(width, height)| {
+        let width = width.trim().parse().ok()?;
+        Some((width, height.trim().parse().ok()?))
+    });
+    parsed.ok_or_else(|| "must be like 1920x1080".to_owned())
+}
+
+fn sky(text: &str) -> Result<SkySource, String> {
+    let files: Vec<PathBuf> = text.split(',').map(PathBuf::from).collect();
+    Ok(match text {
+        "nebula" => SkySource::Nebula,
+        "starmap" => SkySource::Starmap,
+        "grid" => SkySource::Grid,
+        _ if files.len() == 1 => SkySource::Panorama(PathBuf::from(text)),
+        _ => SkySource::Faces(<[PathBuf; 6]>::try_from(files).map_err(|files| {
+            format!(
+                "must be one panorama or six cube faces, not {} files",
+                files.len()
+            )
+        })?),
+    })
+}

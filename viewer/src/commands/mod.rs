@@ -1,0 +1,92 @@
+//! The commands: arguments in, data to standard output, summaries to standard error.
+
+pub mod diff;
+pub mod render;
+
+use crate::cli::{DeviceName, SceneArgs};
+use lensbake_tables::{ContainerError, Table, container, default_atlas};
+use std::borrow::Cow;
+use std::io;
+use thiserror::Error;
+use viewer::camera::{Camera, CameraError};
+use viewer::gpu::{Gpu, GpuError};
+use viewer::picture::PictureError;
+use viewer::scene::{Method, Scene, SceneError};
+use viewer::sky::SkyError;
+
+/// How a command ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// All done.
+    Done,
+    /// Done, but an error is larger than was allowed.
+    BudgetMissed,
+}
+
+/// Why a command could not do its work.
+#[derive(Debug, Error)]
+pub enum CommandError {
+    /// The view makes no camera.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    /// A table file.
+    #[error(transparent)]
+    Container(#[from] ContainerError),
+    /// The table does not serve the camera.
+    #[error("{name}: {problem}")]
+    Scene {
+        /// The table.
+        name: String,
+        /// What is wrong.
+        problem: SceneError,
+    },
+    /// The sky.
+    #[error(transparent)]
+    Sky(#[from] SkyError),
+    /// The GPU.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+    /// The picture.
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+    /// A budget that is none.
+    #[error("--budget-px {0} is not a positive number of pixels")]
+    Budget(f64),
+    /// Standard output.
+    #[error("standard output: {0}")]
+    Stdout(io::Error),
+}
+
+/// The scene that the arguments describe.
+fn scene(args: &SceneArgs, method: Method) -> Result<Scene, CommandError> {
+    let camera = Camera::new(&args.view())?;
+    let (table, name): (Cow<Table>, _) = match &args.table {
+        Some(path) => (
+            Cow::Owned(container::read(path)?),
+            path.display().to_string(),
+        ),
+        None => (Cow::Borrowed(default_atlas()), "the built-in atlas".into()),
+    };
+    Scene::new(camera, &table, method).map_err(|problem| match problem {
+        SceneError::Step { .. } => CommandError::Scene {
+            name: "--step".into(),
+            problem,
+        },
+        _ => CommandError::Scene { name, problem },
+    })
+}
+
+/// The GPU to draw on, or `None` for the CPU.
+fn gpu(device: DeviceName) -> Result<Option<Gpu>, GpuError> {
+    match device {
+        DeviceName::Cpu => Ok(None),
+        DeviceName::Gpu => Gpu::open().map(Some),
+        DeviceName::Auto => match Gpu::open() {
+            Ok(gpu) => Ok(Some(gpu)),
+            Err(error) => {
+                eprintln!("viewer: drawing on the CPU: {error}");
+                Ok(None)
+            }
+        },
+    }
+}

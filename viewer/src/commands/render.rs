@@ -1,0 +1,52 @@
+//! `viewer render`: a picture to a file.
+
+use super::{CommandError, Outcome, gpu, scene};
+use crate::cli::{MethodName, RenderArgs};
+use crate::progress::Progress;
+use std::time::Instant;
+use viewer::cpu;
+use viewer::gpu::{Gpu, Renderer};
+use viewer::picture::Picture;
+use viewer::scene::{Method, Scene};
+use viewer::sky::{self, Sky};
+
+pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
+    Picture::check_path(&args.output)?;
+    let method = match args.method {
+        MethodName::Lut => Method::Lut,
+        MethodName::Direct => Method::Direct {
+            step: args.scene.step,
+        },
+        MethodName::Flat => Method::Flat,
+    };
+    let scene = scene(&args.scene, method)?;
+    let sky = sky::load(&args.scene.sky)?;
+    let gpu = gpu(args.scene.device)?;
+    let started = Instant::now();
+    let picture = match &gpu {
+        Some(gpu) => on_gpu(gpu, &scene, &sky)?,
+        None => on_cpu(&scene, &sky),
+    };
+    let device = gpu.map_or("the CPU".into(), |gpu| gpu.name());
+    eprintln!(
+        "drawn on {device} in {:.3} s",
+        started.elapsed().as_secs_f64()
+    );
+    picture.write(&args.output)?;
+    eprintln!("wrote {}", args.output.display());
+    Ok(Outcome::Done)
+}
+
+fn on_gpu(gpu: &Gpu, scene: &Scene, sky: &Sky) -> Result<Picture, CommandError> {
+    let progress = Progress::new("drawing", scene.camera.height.into());
+    let picture = Renderer::new(gpu, sky)?.picture(scene, |rows| progress.reach(rows.into()))?;
+    progress.finish();
+    Ok(picture)
+}
+
+fn on_cpu(scene: &Scene, sky: &Sky) -> Picture {
+    let progress = Progress::new("drawing", scene.camera.height.into());
+    let picture = cpu::render(scene, sky, || progress.step());
+    progress.finish();
+    picture
+}

@@ -1,0 +1,52 @@
+//! The reference renderer: the same scene on the CPU, in f64, in parallel by rows.
+
+use crate::camera::{Camera, Sight};
+use crate::deflect::{Turned, deflect};
+use crate::picture::Picture;
+use crate::scene::Scene;
+use crate::sky::Sky;
+use glam::DVec3;
+use lensbake_core::Fate;
+use rayon::prelude::*;
+
+/// Draws `scene` before `sky`. `row_done` is called after each row of pixels.
+pub fn render(scene: &Scene, sky: &Sky, row_done: impl Fn() + Sync) -> Picture {
+    let camera = &scene.camera;
+    let rows = by_pixel(camera, row_done, |direction| {
+        match turned_direction(direction, |sight| deflect(scene, sight)) {
+            Fate::Captured => [0.0; 3],
+            Fate::Escapes((direction, _)) => {
+                let in_sky = camera.sky_from_hole * direction;
+                sky.sample(in_sky.as_vec3()).to_array()
+            }
+        }
+    });
+    Picture::new(camera.width, camera.height, rows)
+}
+
+/// Calls `f` with the unit direction of every pixel, in the hole frame; row-major [height][width].
+pub fn by_pixel<T: Send>(
+    camera: &Camera,
+    row_done: impl Fn() + Sync,
+    f: impl Fn(DVec3) -> T + Sync,
+) -> Vec<T> {
+    (0..camera.height)
+        .into_par_iter()
+        .flat_map(|row| {
+            let pixels: Vec<T> = (0..camera.width)
+                .map(|column| f(camera.direction(column, row)))
+                .collect();
+            row_done();
+            pixels
+        })
+        .collect()
+}
+
+/// The direction that a pixel's light comes from, in the hole frame, and dθ′/dθ.
+pub fn turned_direction(
+    direction: DVec3,
+    deflect: impl Fn(Sight) -> Fate<Turned>,
+) -> Fate<(DVec3, f64)> {
+    let sight = Sight::of(direction);
+    deflect(sight).map(|turned| (sight.turn(direction, turned.sight), turned.stretch))
+}

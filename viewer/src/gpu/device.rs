@@ -1,0 +1,131 @@
+//! A device to compute on, and buffers brought back from it.
+
+use std::sync::{Arc, Mutex};
+use thiserror::Error;
+use wgpu::*;
+
+/// No GPU, or one that failed.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum GpuError {
+    /// There is none.
+    #[error(
+        "no GPU adapter found: install a Vulkan driver (on Debian and Ubuntu `mesa-vulkan-drivers` \
+         brings one in software), or use --device cpu"
+    )]
+    NoAdapter,
+    /// There is one, but it does not open.
+    #[error("the GPU {adapter} cannot be opened: {reason}")]
+    NoDevice {
+        /// Its name.
+        adapter: String,
+        /// What it says.
+        reason: String,
+    },
+    /// It failed while at work.
+    #[error("the GPU {adapter} failed: {reason}")]
+    Failed {
+        /// Its name.
+        adapter: String,
+        /// What it says.
+        reason: String,
+    },
+}
+
+/// An open device.
+#[derive(Debug)]
+pub struct Gpu {
+    /// The device.
+    pub device: Device,
+    /// Its queue.
+    pub queue: Queue,
+    info: AdapterInfo,
+    failure: Arc<Mutex<Option<String>>>,
+}
+
+impl Gpu {
+    /// Opens the fastest adapter there is; `WGPU_BACKEND` chooses the backend.
+    ///
+    /// # Errors
+    /// [`GpuError::NoAdapter`] without one, [`GpuError::NoDevice`] if it does not open.
+    pub fn open() -> Result<Self, GpuError> {
+        pollster::block_on(Self::open_async())
+    }
+
+    async fn open_async() -> Result<Self, GpuError> {
+        let instance = Instance::new(InstanceDescriptor::new_without_display_handle_from_env());
+        let options = RequestAdapterOptions {
+            power_preference: PowerPreference::HighPerformance,
+            ..Default::default()
+        };
+        let adapter = instance
+            .request_adapter(&options)
+            .await
+            .map_err(|_| GpuError::NoAdapter)?;
+        let info = adapter.get_info();
+        let (device, queue) = adapter
+            .request_device(&DeviceDescriptor::default())
+            .await
+            .map_err(|e| GpuError::NoDevice {
+                adapter: info.name.clone(),
+                reason: e.to_string(),
+            })?;
+        let failure = Arc::new(Mutex::new(None));
+        let seen = failure.clone();
+        device.on_uncaptured_error(Arc::new(move |error: Error| {
+            if let Ok(mut first) = seen.lock() {
+                first.get_or_insert_with(|| one_line(&error.to_string()));
+            }
+        }));
+        Ok(Gpu {
+            device,
+            queue,
+            info,
+            failure,
+        })
+    }
+
+    /// The adapter's name and backend.
+    pub fn name(&self) -> String {
+        format!("{} ({})", self.info.name, self.info.backend)
+    }
+
+    /// Waits until all submitted work is done.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`] with the first error since the device was opened.
+    pub fn wait(&self) -> Result<(), GpuError> {
+        let polled = self.device.poll(PollType::wait_indefinitely());
+        if let Some(reason) = self.failure.lock().ok().and_then(|first| first.clone()) {
+            return Err(self.failed(reason));
+        }
+        polled.map(|_| ()).map_err(|e| self.failed(e))
+    }
+
+    /// The contents of `buffer`, which must have [`BufferUsages::MAP_READ`].
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`] if the device does.
+    pub fn read<T: bytemuck::Pod>(&self, buffer: &Buffer) -> Result<Vec<T>, GpuError> {
+        buffer.slice(..).map_async(MapMode::Read, |_| ());
+        self.wait()?;
+        let view = buffer
+            .slice(..)
+            .get_mapped_range()
+            .map_err(|e| self.failed(e))?;
+        let contents = bytemuck::pod_collect_to_vec(&view);
+        drop(view);
+        buffer.unmap();
+        Ok(contents)
+    }
+
+    fn failed(&self, reason: impl ToString) -> GpuError {
+        GpuError::Failed {
+            adapter: self.info.name.clone(),
+            reason: one_line(&reason.to_string()),
+        }
+    }
+}
+
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}

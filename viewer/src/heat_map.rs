@@ -1,0 +1,96 @@
+//! The picture of an error: image-space pixels in colour, by decades, with its key.
+
+use crate::diff::PixelError;
+use crate::picture::{PictureError, write_png};
+use plotters::prelude::*;
+use plotters::style::{FontStyle, register_font};
+use std::path::Path;
+
+/// Decades of the error that the colours span, as powers of ten of a pixel.
+const DECADES: std::ops::Range<i32> = -6..0;
+/// Height of the key below the map, and the least width it needs.
+const KEY: u32 = 104;
+const LEAST_WIDTH: u32 = 640;
+const MARGIN: i32 = 28;
+
+const BOTH_CAPTURED: [u8; 3] = [0, 0, 0];
+const OTHER_FATE: [u8; 3] = [255, 0, 255];
+
+/// Writes the heat map of `errors`, row-major [height][width], to a PNG file, whole or not at all.
+///
+/// # Errors
+/// [`PictureError`] names the file and what is wrong.
+pub fn write(
+    path: &Path,
+    width: u32,
+    errors: &[PixelError],
+    what: &str,
+) -> Result<(), PictureError> {
+    let height = (errors.len() / width as usize) as u32;
+    let full = width.max(LEAST_WIDTH);
+    let mut canvas = vec![[255_u8; 3]; full as usize * (height + KEY) as usize];
+    for (row, line) in errors.chunks_exact(width as usize).enumerate() {
+        let start = row * full as usize;
+        for (pixel, error) in canvas[start..].iter_mut().zip(line) {
+            *pixel = colour(error);
+        }
+    }
+    let bytes: &mut [u8] = bytemuck::cast_slice_mut(&mut canvas);
+    draw_key(bytes, (full, height + KEY), what).map_err(|e| PictureError::new(path, e))?;
+    write_png(path, full, height + KEY, bytes)
+}
+
+fn colour(error: &PixelError) -> [u8; 3] {
+    match *error {
+        PixelError::OtherFate { .. } => OTHER_FATE,
+        PixelError::BothCaptured => BOTH_CAPTURED,
+        PixelError::BothEscape { pixels, .. } => scale(pixels.log10()),
+    }
+}
+
+/// The colour of an error of 10^`exponent` pixels.
+fn scale(exponent: f64) -> [u8; 3] {
+    let span = f64::from(DECADES.end - DECADES.start);
+    let t = (exponent - f64::from(DECADES.start)) / span;
+    let RGBColor(r, g, b) = ViridisRGB::get_color(t.clamp(0.0, 1.0));
+    [r, g, b]
+}
+
+fn draw_key(
+    canvas: &mut [u8],
+    (width, height): (u32, u32),
+    what: &str,
+) -> Result<(), Box<dyn std::error::Error>> {
+    // A font of our own: a bare machine has none.
+    register_font(
+        "sans-serif",
+        FontStyle::Normal,
+        epaint_default_fonts::UBUNTU_LIGHT,
+    )
+    .map_err(|_| "the built-in font cannot be read")?;
+    let top = (height - KEY) as i32;
+    let strip = width as i32 - 2 * MARGIN;
+    let area = BitMapBackend::with_buffer(canvas, (width, height)).into_drawing_area();
+    let text = |size: i32| ("sans-serif", size).into_font().color(&BLACK);
+    area.draw(&Text::new(what.to_owned(), (MARGIN, top + 8), text(20)))?;
+    let caption = "pixels in image space; black: both captured, magenta: fates differ";
+    area.draw(&Text::new(caption, (MARGIN, top + 30), text(18)))?;
+    for x in 0..strip {
+        let t = f64::from(x) / f64::from(strip);
+        let exponent = f64::from(DECADES.start) + t * f64::from(DECADES.end - DECADES.start);
+        let [r, g, b] = scale(exponent);
+        let (left, upper, lower) = (MARGIN + x, top + 56, top + 76);
+        area.draw(&Rectangle::new(
+            [(left, upper), (left + 1, lower)],
+            RGBColor(r, g, b).filled(),
+        ))?;
+    }
+    let decades = DECADES.end - DECADES.start;
+    for decade in 0..=decades {
+        let x = MARGIN + strip * decade / decades;
+        let label = format!("1e{}", DECADES.start + decade);
+        area.draw(&Text::new(label, (x - 14, top + 80), text(18)))?;
+    }
+    area.present()?;
+    Ok(())
+}

@@ -1,0 +1,144 @@
+//! A sky from six square pictures: right, left, top, bottom, front, back, as skybox sets have them.
+//!
+//! Such sets follow the cube-map convention, +X −X +Y −Y +Z −Z, whose frame is left-handed. The sky
+//! frame is right-handed, so z is reflected: the front picture is straight ahead along −Z, and none
+//! is seen mirrored.
+
+use std::path::{Path, PathBuf};
+
+use super::picture::{self, Picture};
+use super::{Sky, SkyError};
+
+/// Largest face: the cube map then takes 0.8 GB.
+const MAX_SIZE: u32 = 4096;
+
+/// Returns the sky that shows the six pictures all round, pixel for texel.
+pub(super) fn load(paths: &[PathBuf; 6]) -> Result<Sky, SkyError> {
+    let size = common_size(paths)?;
+    let mut faces = Vec::with_capacity(6);
+    for path in paths {
+        faces.push(Picture::load(path)?);
+    }
+    Ok(Sky::from_rows(size, |face, row, texels| {
+        for (column, texel) in (0..).zip(texels) {
+            let (face, column, row) = reflected(size, face, column, row);
+            *texel = faces[face].light(column, row);
+        }
+    }))
+}
+
+/// The texel of a cube map of `size` texels a side that lies where z has the other sign.
+fn reflected(size: u32, face: usize, column: u32, row: u32) -> (usize, u32, u32) {
+    match face {
+        0 | 1 => (face, size - 1 - column, row),
+        2 | 3 => (face, column, size - 1 - row),
+        _ => (face ^ 1, size - 1 - column, row),
+    }
+}
+
+/// The width and height that all six pictures declare.
+fn common_size(paths: &[PathBuf; 6]) -> Result<u32, SkyError> {
+    let mut sizes = [0; 6];
+    for (path, size) in paths.iter().zip(&mut sizes) {
+        *size = square_size(path)?;
+    }
+    let first_size = sizes[0];
+    match paths
+        .iter()
+        .zip(sizes)
+        .find(|&(_, size)| size != first_size)
+    {
+        None => Ok(first_size),
+        Some((path, size)) => Err(SkyError::UnequalFaces {
+            path: path.clone(),
+            size,
+            first: paths[0].clone(),
+            first_size,
+        }),
+    }
+}
+
+fn square_size(path: &Path) -> Result<u32, SkyError> {
+    let (width, height) = picture::dimensions(path)?;
+    let path = path.to_owned();
+    if width == 0 || height == 0 {
+        return Err(SkyError::TooSmall {
+            path,
+            width,
+            height,
+            min_width: 1,
+            min_height: 1,
+        });
+    }
+    if width != height {
+        return Err(SkyError::NotSquare {
+            path,
+            width,
+            height,
+        });
+    }
+    if width > MAX_SIZE {
+        let (max_width, max_height) = (MAX_SIZE, MAX_SIZE);
+        return Err(SkyError::TooLarge {
+            path,
+            width,
+            height,
+            max_width,
+            max_height,
+        });
+    }
+    Ok(width)
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+    use image::{Rgb, RgbImage};
+
+    use super::*;
+
+    #[test]
+    fn each_picture_lies_where_a_skybox_has_it_and_is_not_mirrored() {
+        // Face f has the shade f in red; its top left pixel is green, its bottom right one blue.
+        let folder = tempfile::tempdir().unwrap();
+        let paths: [PathBuf; 6] = std::array::from_fn(|face| {
+            let path = folder.path().join(format!("{face}.png"));
+            let mut image = RgbImage::from_pixel(8, 8, Rgb([40 * face as u8, 0, 0]));
+            image.put_pixel(0, 0, Rgb([0, 255, 0]));
+            image.put_pixel(7, 7, Rgb([0, 0, 255]));
+            image.save(&path).unwrap();
+            path
+        });
+        let sky = load(&paths).unwrap();
+        assert_eq!(sky.face_texels(), 8);
+        // The axis, the corner at the top left and the one at the bottom right, in the left-handed
+        // frame of the cube-map convention; z changes its sign in ours.
+        let places = [
+            ([1, 0, 0], [1, 1, 1], [1, -1, -1]),
+            ([-1, 0, 0], [-1, 1, -1], [-1, -1, 1]),
+            ([0, 1, 0], [-1, 1, -1], [1, 1, 1]),
+            ([0, -1, 0], [-1, -1, 1], [1, -1, -1]),
+            ([0, 0, 1], [-1, 1, 1], [1, -1, 1]),
+            ([0, 0, -1], [1, 1, -1], [-1, -1, -1]),
+        ]
+        .map(|(axis, first, last)| {
+            [axis, first, last].map(|[x, y, z]: [i32; 3]| Vec3::new(x as f32, y as f32, -z as f32))
+        });
+        for (face, [axis, first, last]) in places.into_iter().enumerate() {
+            let shade = 40.0 * face as f32 / 255.0;
+            let linear = ((shade + 0.055) / 1.055).powf(2.4);
+            let expected = if face == 0 { 0.0 } else { linear };
+            assert!((sky.sample(axis) - expected * Vec3::X).abs().max_element() < 1e-3);
+            // The middle of the corner texel lies 1/8 of the way to the axis.
+            let centre = |corner: Vec3| axis + 0.875 * (corner - axis);
+            assert!(
+                (sky.sample(centre(first)) - Vec3::Y).abs().max_element() < 1e-5,
+                "{face}"
+            );
+            assert!(
+                (sky.sample(centre(last)) - Vec3::Z).abs().max_element() < 1e-5,
+                "{face}"
+            );
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! The sky behind the hole: a cube map in linear light, made by formula or read from pictures.
+//!
+//! The GPU renderer uploads [`Sky::texels`] and filters in hardware; the CPU renderer calls
+//! [`Sky::sample`] on the same numbers.
+//!
+//! The sky frame is right-handed with +Y up; the middle of a panorama lies along −Z and its right
+//! half along +X.
+
+use std::path::PathBuf;
+
+mod cube;
+mod error;
+mod faces;
+mod grid;
+mod nebula;
+mod noise;
+mod panorama;
+mod picture;
+mod starmap;
+mod stars;
+
+pub use cube::{Sky, face_coordinates, texel_direction};
+pub use error::SkyError;
+pub use grid::grid;
+pub use nebula::nebula;
+pub use starmap::starmap;
+
+/// Texels along the edge of a face of the built-in skies: 0.11° in the middle of a face.
+pub const BUILT_IN_FACE_TEXELS: u32 = 1024;
+
+/// Where a sky comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum SkySource {
+    /// Built in: coloured gas clouds and a few stars.
+    Nebula,
+    /// Built in: a dense field of stars with a Milky Way.
+    Starmap,
+    /// Built in: circles of latitude and longitude over tinted octants, to judge distortion by eye.
+    Grid,
+    /// One equirectangular picture, twice as wide as high; see [`load`].
+    Panorama(PathBuf),
+    /// Six square pictures of one size: right, left, top, bottom, front, back; see [`load`].
+    Faces([PathBuf; 6]),
+}
+
+/// Returns the sky of `source`.
+///
+/// Pictures may be PNG, JPEG, Radiance HDR or OpenEXR, recognised by content and not by name.
+/// Integer samples are taken as sRGB, floating-point samples as linear light; alpha and colour
+/// profiles are ignored.
+///
+/// A panorama has the north pole (+Y) in its top row, −Z in its middle column and +X a quarter turn
+/// to the right of that; its shape may be off 2:1 by 1 %. The six faces are those of a skybox: right,
+/// left, top, bottom, front, back, which are +X, −X, +Y, −Y, +Z, −Z of the left-handed cube-map
+/// convention. The front is seen straight ahead, along −Z of the sky frame, and no picture is mirrored.
+///
+/// # Errors
+///
+/// A [`SkyError`] names the file that cannot be used, and why. The built-in skies never fail.
+pub fn load(source: &SkySource) -> Result<Sky, SkyError> {
+    match source {
+        SkySource::Nebula => Ok(nebula(BUILT_IN_FACE_TEXELS)),
+        SkySource::Starmap => Ok(starmap(BUILT_IN_FACE_TEXELS)),
+        SkySource::Grid => Ok(grid(BUILT_IN_FACE_TEXELS)),
+        SkySource::Panorama(path) => panorama::load(path),
+        SkySource::Faces(paths) => faces::load(paths),
+    }
+}
+
+#[cfg(test)]
+mod error_tests;
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn built_in_skies_are_the_same_each_time_and_shine() {
+        for make in [nebula, starmap, grid] {
+            for face_texels in [1, 2, 33] {
+                let sky = make(face_texels);
+                assert_eq!(sky, make(face_texels));
+                assert_eq!(sky.face_texels(), face_texels);
+            }
+            let sky = make(33);
+            let mean = sky
+                .texels()
+                .iter()
+                .map(|texel| texel[1].to_f32())
+                .sum::<f32>()
+                / sky.texels().len() as f32;
+            assert!((0.005..0.5).contains(&mean), "{mean}");
+        }
+    }
+
+    #[test]
+    fn load_gives_the_built_in_skies_at_their_size() {
+        let sky = load(&SkySource::Grid).unwrap();
+        assert_eq!(sky.face_texels(), BUILT_IN_FACE_TEXELS);
+    }
+}
