@@ -134,7 +134,12 @@ fn inputs(observer: &Observer) -> Vec<[f32; 4]> {
         .enumerate()
         .map(|(i, theta)| {
             let (sin, cos) = theta.sin_cos();
-            [cos as f32, sin.abs() as f32, (i as f32 - 1000.0) * 0.02, 0.0]
+            [
+                cos as f32,
+                sin.abs() as f32,
+                (i as f32 - 1000.0) * 0.02,
+                0.0,
+            ]
         })
         .collect()
 }
@@ -152,7 +157,10 @@ fn the_gpu_finds_what_its_rust_twin_finds() {
         for (&[c, p, angle, _], probe) in inputs.iter().zip(&probes) {
             let at = format!("r {r}, cos {c}, sin {p}: {probe:?}");
             let [cos, sin] = lookup::cos_sin(angle);
-            assert!((probe.cos - cos).abs() < 3e-7 && (probe.sin - sin).abs() < 3e-7, "{at}");
+            assert!(
+                (probe.cos - cos).abs() < 3e-7 && (probe.sin - sin).abs() < 3e-7,
+                "{at}"
+            );
             let x = lookup::edge_coordinate(c, p, row.edge);
             assert!((probe.x - x).abs() <= 4e-7 * x || x > 1e6, "{at}: x {x}");
             // One rounding of x moves the bending by its slope there: ε/(1−x) of a logarithm.
@@ -164,9 +172,15 @@ fn the_gpu_finds_what_its_rust_twin_finds() {
                     if rounding > 1e-2 {
                         continue;
                     }
-                    assert!((probe.bend - twin.bend).abs() < 2e-6 + rounding, "{at}: {twin:?}");
+                    assert!(
+                        (probe.bend - twin.bend).abs() < 2e-6 + rounding,
+                        "{at}: {twin:?}"
+                    );
                     let slope = (probe.slope - twin.slope).abs();
-                    assert!(slope < (1e-4 + 30.0 * rounding) * (1.0 + twin.slope.abs()), "{at}: {twin:?}");
+                    assert!(
+                        slope < (1e-4 + 30.0 * rounding) * (1.0 + twin.slope.abs()),
+                        "{at}: {twin:?}"
+                    );
                     let [cos_sky, sin_sky] = lookup::turned(c, p, twin.bend);
                     let off = (probe.cos_sky - cos_sky).hypot(probe.sin_sky - sin_sky);
                     assert!(off < 3e-6 + rounding, "{at}: {cos_sky} {sin_sky}");
