@@ -6,7 +6,7 @@ use lensbake_tables::{Axis, Header, Measured, Rows, Solver, Table, TableError, T
 use rayon::prelude::*;
 
 /// Name of the solver in the headers.
-pub const SOLVER: &str = "RK4, step doubling, from the point of closest lingering";
+pub const SOLVER: &str = "RK4 with step doubling";
 
 /// What to bake.
 #[derive(Debug, Clone, Copy, PartialEq)]

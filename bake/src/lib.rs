@@ -2,6 +2,7 @@
 
 pub mod baker;
 pub mod diff;
+pub mod font;
 pub mod measure;
 pub mod plot;
 pub mod rays;

@@ -1,7 +1,7 @@
 //! The error that a table's header states: its lookup against the closed form, off the nodes.
 
 use crate::baker::Recipe;
-use crate::rays::{EDGE_GAP, Sight, off_nodes};
+use crate::rays::{Sight, off_nodes};
 use lensbake_core::{Observer, exact};
 use lensbake_tables::{Header, Measured, Row, Table, TableError};
 use rayon::prelude::*;
@@ -21,7 +21,7 @@ pub fn measured(table: Table, recipe: &Recipe) -> Result<Table, TableError> {
             max_error,
             rays: sights.len() as u32,
             r_min: radii.fold(f64::INFINITY, f64::min),
-            edge_gap: gaps.fold(1.0, f64::min).max(EDGE_GAP),
+            edge_gap: gaps.fold(1.0, f64::min),
         },
         ..table.header().clone()
     };

@@ -73,15 +73,17 @@ fn in_b(axis: Axis, t: f64, crowd: bool) -> EdgeCoordinate {
 }
 
 /// Rays off the nodes of a table, dense enough to see its largest error: between all rows, down to the
-/// last gap before the horizon, and four a texel, with the first cell by decades down to [`EDGE_GAP`].
+/// last gap before the horizon; four a texel; and at the edge by decades of 1 − x down to [`EDGE_GAP`].
 pub fn off_nodes(recipe: &Recipe) -> Vec<Sight> {
-    let cells = recipe.texels - 1;
-    let along: Vec<EdgeCoordinate> = (0..4 * cells)
-        .map(|i| (f64::from(i) + 0.5) / f64::from(4 * cells))
-        .chain((1..=6).map(|n| 10f64.powi(-n).sqrt() / f64::from(cells)))
+    let cells = 4 * (recipe.texels - 1);
+    let within_cells = (0..cells).map(|i| (f64::from(i) + 0.5) / f64::from(cells));
+    let mut along: Vec<EdgeCoordinate> = within_cells
         .map(|q| recipe.axis.coordinate(q))
         .filter(|at| at.one_minus_x >= EDGE_GAP)
         .collect();
+    if recipe.axis == Axis::Residual {
+        along.extend([1e-2, 1e-3, 1e-4, 1e-5, EDGE_GAP].map(edge_gap));
+    }
     observers_off_nodes(recipe.rows)
         .into_iter()
         .flat_map(|observer| along.iter().map(move |&at| Sight { observer, at }))

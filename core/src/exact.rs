@@ -130,7 +130,7 @@ mod tests {
             )
         });
         for (ray, known) in far.into_iter().chain(near) {
-            let closed = super::bend(&ray).escaped().unwrap();
+            let closed = bend(&ray).escaped().unwrap();
             assert!(
                 (closed - known).abs() < 1e-12,
                 "closed form, {ray:?}: {closed}"
@@ -141,9 +141,7 @@ mod tests {
 
     #[test]
     fn the_orbital_angle_of_the_periapsis_at_b_3_is_known() {
-        let bend = super::bend(&Ray::from_infinity(3.0).unwrap())
-            .escaped()
-            .unwrap();
+        let bend = bend(&Ray::from_infinity(3.0).unwrap()).escaped().unwrap();
         assert!((0.5 * (bend + PI) - 2.430_490_481_909_981).abs() < 1e-14);
     }
 
@@ -151,8 +149,8 @@ mod tests {
     fn straight_into_the_hole_and_straight_away() {
         for r in [1.001, 1.5, 3.0, 1e6] {
             let observer = Observer::at(r).unwrap();
-            assert_eq!(super::bend(&observer.ray(0.0).unwrap()), Fate::Captured);
-            let away = super::bend(&observer.ray(PI).unwrap()).escaped().unwrap();
+            assert_eq!(bend(&observer.ray(0.0).unwrap()), Fate::Captured);
+            let away = bend(&observer.ray(PI).unwrap()).escaped().unwrap();
             assert!(away.abs() < 1e-12, "r {r}: {away:e}");
         }
     }
@@ -195,7 +193,7 @@ mod tests {
         #[test]
         fn integration_agrees_with_the_closed_form(chi in radii(), at in sights()) {
             let ray = Observer::at_chi(chi).ray_at(at);
-            let closed = super::bend(&ray).escaped().unwrap();
+            let closed = bend(&ray).escaped().unwrap();
             prop_assert!((closed - rk4(&ray)).abs() < 1e-10, "{closed} against {}", rk4(&ray));
         }
 
@@ -215,7 +213,7 @@ mod tests {
         #[test]
         fn bending_grows_towards_the_edge(chi in radii(), s in 0.001..0.99) {
             let observer = Observer::at_chi(chi);
-            let bend = |s| super::bend(&observer.ray_at(EdgeCoordinate::from_s(s))).escaped().unwrap();
+            let bend = |s| bend(&observer.ray_at(EdgeCoordinate::from_s(s))).escaped().unwrap();
             prop_assert!(bend(s) > bend(s * 1.01));
         }
     }

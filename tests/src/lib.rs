@@ -1,15 +1,21 @@
 //! What the cross-checks share: the real programs, and the GPU that must be there.
 
+mod damaged;
+
+pub use damaged::{Damaged, damaged_tables};
+
+use bake::baker::{Recipe, bake};
+use lensbake_tables::{Rows, Table};
 use std::ffi::OsStr;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use viewer::gpu::Gpu;
 
-/// One of the project's programs, freshly built.
-#[derive(Debug, Clone)]
+/// One of the project's programs.
+#[derive(Debug, Clone, Copy)]
 pub struct Program {
-    path: PathBuf,
+    path: &'static str,
 }
 
 /// What a program did.
@@ -24,21 +30,9 @@ pub struct Run {
 }
 
 impl Program {
-    /// The program of package `name`.
-    ///
-    /// # Panics
-    /// If it does not build.
-    pub fn build(name: &str) -> Self {
-        let built = escargot::CargoBuild::new()
-            .package(name)
-            .bin(name)
-            .current_target()
-            .manifest_path(workspace().join("Cargo.toml"))
-            .run()
-            .unwrap_or_else(|e| panic!("{name} does not build: {e}"));
-        Program {
-            path: built.path().to_owned(),
-        }
+    /// The program at `path`, which Cargo gives a package's own tests as `CARGO_BIN_EXE_…`.
+    pub const fn at(path: &'static str) -> Self {
+        Program { path }
     }
 
     /// Runs the program with `input` on its standard input.
@@ -46,7 +40,7 @@ impl Program {
     /// # Panics
     /// If it does not start, or dies of a signal.
     pub fn run_with<S: AsRef<OsStr>>(&self, args: &[S], input: &str) -> Run {
-        let mut child = Command::new(&self.path)
+        let mut child = Command::new(self.path)
             .args(args)
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
@@ -93,4 +87,50 @@ pub fn workspace() -> &'static Path {
 /// ignored ones.
 pub fn gpu() -> Gpu {
     Gpu::open().unwrap_or_else(|e| panic!("{e}; or test with --features lensbake-tests/no-gpu"))
+}
+
+impl Run {
+    /// The run again, if the program says that all is done.
+    ///
+    /// # Panics
+    /// If its exit code is not 0.
+    #[track_caller]
+    pub fn succeeds(self) -> Self {
+        assert_eq!(self.code, 0, "{self:?}");
+        self
+    }
+
+    /// Checks that the program refused: exit code 2, nothing on standard output, and one line on
+    /// standard error with all of `words` in it.
+    ///
+    /// # Panics
+    /// If it did anything else.
+    #[track_caller]
+    pub fn refuses(self, words: &[&str]) {
+        assert_eq!(self.code, 2, "{self:?}");
+        assert_eq!(self.stdout, "", "{self:?}");
+        assert_eq!(self.stderr.lines().count(), 1, "{self:?}");
+        for word in words {
+            assert!(
+                self.stderr.contains(word),
+                "no '{word}' in: {}",
+                self.stderr
+            );
+        }
+        assert!(!self.stderr.contains("panicked"), "{self:?}");
+    }
+}
+
+/// A freshly baked table of one row, for the static observer at `radius`.
+///
+/// # Panics
+/// If it does not bake.
+pub fn one_row(radius: f64) -> Table {
+    let recipe = Recipe {
+        rows: Rows::One {
+            inverse_radius: 1.0 / radius,
+        },
+        ..Recipe::default()
+    };
+    bake(&recipe, || ()).unwrap()
 }

@@ -3,7 +3,7 @@
 use image::codecs::openexr::OpenExrEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageFormat};
-use lensbake_tables::container::write_whole;
+use lensbake_tables::container::{existing_folder, write_whole};
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -76,16 +76,9 @@ impl Picture {
     /// [`PictureError`] if its ending is neither .png nor .exr, or its folder does not exist.
     pub fn check_path(path: &Path) -> Result<(), PictureError> {
         format_of(path)?;
-        let folder = match path.parent() {
-            Some(folder) if !folder.as_os_str().is_empty() => folder,
-            _ => return Ok(()),
-        };
-        if folder.is_dir() {
-            Ok(())
-        } else {
-            let problem = format!("the folder {} does not exist", folder.display());
-            Err(PictureError::new(path, problem))
-        }
+        existing_folder(path)
+            .map(|_| ())
+            .map_err(|e| PictureError::new(path, e))
     }
 
     /// Writes the picture whole or not at all: .png is what a screen shows, .exr is linear light in

@@ -5,14 +5,13 @@ use crate::cli::{AxisName, BakeArgs};
 use crate::progress::Progress;
 use bake::baker::{self, Recipe};
 use bake::measure::measured;
-use lensbake_tables::container::{self, Container};
-use lensbake_tables::{Axis, Rows, Table};
+use lensbake_tables::{Axis, Rows, Table, container};
 use std::time::Instant;
 
 pub fn run(args: &BakeArgs) -> Result<Outcome, CommandError> {
-    // A wrong ending is found before the work, not after it.
+    // A wrong ending or folder is found before the work, not after it.
     for path in &args.output {
-        Container::of(path)?;
+        container::check_path(path)?;
     }
     let recipe = recipe(args);
     let table = match args.threads {

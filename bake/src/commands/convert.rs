@@ -5,7 +5,7 @@ use lensbake_tables::container;
 use std::path::Path;
 
 pub fn run(from: &Path, to: &Path) -> Result<Outcome, CommandError> {
-    container::Container::of(to)?;
+    container::check_path(to)?;
     container::write(to, &container::read(from)?)?;
     eprintln!("wrote {}", to.display());
     Ok(Outcome::Done)

@@ -100,19 +100,40 @@ pub fn write(path: &Path, table: &Table) -> Result<(), ContainerError> {
         .map_err(at(path))
 }
 
+/// Checks, before any work is done, that `path` can become a table.
+///
+/// # Errors
+/// [`ContainerError`] if its ending names no container or its folder does not exist.
+pub fn check_path(path: &Path) -> Result<(), ContainerError> {
+    Container::of(path)?;
+    existing_folder(path)
+        .map(|_| ())
+        .map_err(|e| at(path)(e.into()))
+}
+
+/// The folder that `path` lies in.
+///
+/// # Errors
+/// [`std::io::ErrorKind::NotFound`] if it does not exist.
+pub fn existing_folder(path: &Path) -> std::io::Result<&Path> {
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    if folder.is_dir() {
+        Ok(folder)
+    } else {
+        let message = format!("the folder {} does not exist", folder.display());
+        Err(std::io::Error::new(std::io::ErrorKind::NotFound, message))
+    }
+}
+
 /// Writes `bytes` to `path` whole or not at all.
 ///
 /// # Errors
 /// What the operating system says; the folder must exist.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    if !folder.is_dir() {
-        let message = format!("the folder {} does not exist", folder.display());
-        return Err(std::io::Error::new(std::io::ErrorKind::NotFound, message));
-    }
+    let folder = existing_folder(path)?;
     let mut builder = tempfile::Builder::new();
     #[cfg(unix)]
     {

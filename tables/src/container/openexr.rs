@@ -58,7 +58,29 @@ pub(super) fn encode(table: &Table) -> std::result::Result<Vec<u8>, Problem> {
         .non_parallel()
         .to_buffered(&mut bytes)
         .map_err(exr_problem)?;
-    Ok(bytes.into_inner())
+    Ok(with_attributes_in_order(bytes.into_inner()))
+}
+
+/// The same file with its attributes in the order of their names: the library writes them in any, but
+/// the same table has to give the same bytes. Each attribute is a name and a type, both ended by a zero,
+/// a length and a value; an empty name ends them.
+fn with_attributes_in_order(mut file: Vec<u8>) -> Vec<u8> {
+    const FIRST: usize = 8;
+    let mut attributes: Vec<Vec<u8>> = Vec::new();
+    let mut at = FIRST;
+    while file[at] != 0 {
+        let text_end =
+            |from: usize| from + file[from..].iter().take_while(|&&b| b != 0).count() + 1;
+        let length_at = text_end(text_end(at));
+        let length = file[length_at..length_at + 4].iter().rev();
+        let length = length.fold(0, |n, &byte| n << 8 | usize::from(byte));
+        let end = length_at + 4 + length;
+        attributes.push(file[at..end].to_vec());
+        at = end;
+    }
+    attributes.sort();
+    file[FIRST..at].copy_from_slice(&attributes.concat());
+    file
 }
 
 pub(super) fn decode(bytes: &[u8]) -> std::result::Result<Table, Problem> {

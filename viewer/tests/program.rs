@@ -1,0 +1,177 @@
+//! The real program: what it prints, what it draws, and how it ends.
+
+use lensbake_tables::container;
+use lensbake_tests::{Damaged, Program, damaged_tables, one_row};
+use std::path::Path;
+use tempfile::TempDir;
+
+const VIEWER: Program = Program::at(env!("CARGO_BIN_EXE_viewer"));
+
+fn folder() -> TempDir {
+    tempfile::tempdir().unwrap()
+}
+
+fn path(folder: &TempDir, name: &str) -> String {
+    folder.path().join(name).to_str().unwrap().to_owned()
+}
+
+#[test]
+fn render_draws_without_a_gpu_and_writes_both_kinds_of_picture() {
+    let folder = folder();
+    for name in ["p.png", "p.exr"] {
+        let file = path(&folder, name);
+        let args = [
+            "render", "--device", "cpu", "--size", "64x36", "-s", "grid", "-r", "4", "-o", &file,
+        ];
+        let run = VIEWER.run(&args).succeeds();
+        assert!(run.stderr.contains("drawn on the CPU"), "{run:?}");
+        assert!(run.stdout.is_empty(), "{run:?}");
+        let picture = image::open(file).unwrap();
+        assert_eq!((picture.width(), picture.height()), (64, 36));
+    }
+}
+
+#[test]
+fn render_takes_a_panorama_and_six_faces() {
+    let folder = folder();
+    let panorama = path(&folder, "sky.jpg");
+    image::RgbImage::from_pixel(64, 32, image::Rgb([10, 200, 30]))
+        .save(&panorama)
+        .unwrap();
+    let faces: Vec<String> = (0..6).map(|i| path(&folder, &format!("{i}.png"))).collect();
+    for face in &faces {
+        image::RgbImage::from_pixel(8, 8, image::Rgb([10, 200, 30]))
+            .save(face)
+            .unwrap();
+    }
+    for sky in [panorama, faces.join(",")] {
+        let file = path(&folder, "out.png");
+        let args = [
+            "render", "--device", "cpu", "--size", "32x18", "--yaw", "180", "-s", &sky, "-o", &file,
+        ];
+        VIEWER.run(&args).succeeds();
+        let picture = image::open(file).unwrap().into_rgb8();
+        for pixel in picture.pixels() {
+            let [r, g, b] = pixel.0;
+            assert!(
+                r.abs_diff(10) < 4 && g.abs_diff(200) < 4 && b.abs_diff(30) < 4,
+                "{pixel:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn viewer_diff_reports_and_draws_its_heat_map() {
+    let folder = folder();
+    let file = path(&folder, "heat.png");
+    let scene = [
+        "--size", "160x90", "-r", "10", "-s", "grid", "--device", "cpu",
+    ];
+    let diff = |more: &[&str]| VIEWER.run(&[&["diff", "-o", &file], &scene[..], more].concat());
+    let run = diff(&[]).succeeds();
+    for what in [
+        "lookup - closed form",
+        "direct - closed form",
+        "lookup - direct",
+        "pictures of",
+    ] {
+        assert!(run.stdout.contains(what), "{}", run.stdout);
+    }
+    assert!(image::open(&file).unwrap().width() >= 160);
+    let missed = diff(&["--budget-px", "1e-9"]);
+    assert_eq!(missed.code, 1, "{missed:?}");
+}
+
+#[test]
+fn damaged_tables_are_refused_in_one_line() {
+    let folder = folder();
+    let out = path(&folder, "out.png");
+    for Damaged { name, bytes, words } in damaged_tables() {
+        let file = path(&folder, name);
+        std::fs::write(&file, bytes).unwrap();
+        let words = [words, &[file.as_str()]].concat();
+        VIEWER
+            .run(&["render", "--table", &file, "-o", &out])
+            .refuses(&words);
+    }
+    assert!(!Path::new(&out).exists());
+}
+
+#[test]
+fn files_that_are_not_there_or_cannot_be_written_are_named() {
+    let folder = folder();
+    let missing = path(&folder, "missing.png");
+    VIEWER.run(&["render", "-s", &missing]).refuses(&[&missing]);
+    let nowhere = path(&folder, "no/such/folder/a.png");
+    VIEWER
+        .run(&["render", "-o", &nowhere])
+        .refuses(&[&nowhere, "does not exist"]);
+    VIEWER
+        .run(&["render", "-o", "p.jpg"])
+        .refuses(&["p.jpg", ".png or .exr"]);
+    let left = std::fs::read_dir(folder.path()).unwrap().count();
+    assert_eq!(left, 0, "something was left behind");
+}
+
+#[test]
+fn skies_that_are_none_are_refused_in_one_line() {
+    let folder = folder();
+    let out = path(&folder, "out.png");
+    let render = |sky: &str| VIEWER.run(&["render", "--device", "cpu", "-s", sky, "-o", &out]);
+    let text = path(&folder, "sky.png");
+    std::fs::write(&text, "no picture").unwrap();
+    render(&text).refuses(&[&text, "not a usable picture"]);
+    let pixel = path(&folder, "pixel.png");
+    image::RgbImage::new(1, 1).save(&pixel).unwrap();
+    render(&pixel).refuses(&[&pixel, "1x1 pixels"]);
+    let square = path(&folder, "square.png");
+    image::RgbImage::new(64, 64).save(&square).unwrap();
+    render(&square).refuses(&[&square, "twice as wide as high"]);
+    let five = [pixel.as_str(); 5].join(",");
+    assert_eq!(render(&five).code, 2);
+    render(folder.path().to_str().unwrap()).refuses(&[folder.path().to_str().unwrap()]);
+    assert!(!Path::new(&out).exists());
+}
+
+#[test]
+fn views_that_are_none_are_refused_in_one_line() {
+    let render = |args: &[&str]| VIEWER.run(&[&["render", "-o", "never.png"], args].concat());
+    for r in ["1", "0.5", "0", "-3", "NaN"] {
+        render(&["-r", r]).refuses(&["radius", "greater than 1"]);
+    }
+    render(&["-r", "inf"]).refuses(&["radius inf", "at most"]);
+    for fov in ["0", "180", "270", "-20", "NaN"] {
+        render(&["--fov", fov]).refuses(&["field of view", fov, "between 0 and 180"]);
+    }
+    render(&["--size", "0x100"]).refuses(&["0x100"]);
+    render(&["--size", "99999x99999"]).refuses(&["99999x99999"]);
+    render(&["--step", "0", "--method", "direct"]).refuses(&["step"]);
+    assert!(!Path::new("never.png").exists());
+}
+
+#[test]
+fn a_row_for_one_observer_refuses_another() {
+    let folder = folder();
+    let (table, out) = (path(&folder, "r10.exr"), path(&folder, "out.png"));
+    container::write(Path::new(&table), &one_row(10.0)).unwrap();
+    let render = |r| {
+        let size = ["--size", "32x18", "--device", "cpu", "-s", "grid"];
+        VIEWER.run(
+            &[
+                &["render", "--table", &table, "-r", r, "-o", &out],
+                &size[..],
+            ]
+            .concat(),
+        )
+    };
+    render("10").succeeds();
+    render("5").refuses(&[&table, "r = 10 only"]);
+}
+
+#[test]
+fn typos_are_told_with_a_hint() {
+    let run = VIEWER.run(&["render", "--radus", "5"]);
+    assert_eq!(run.code, 2, "{run:?}");
+    assert!(run.stderr.contains("--radius"), "{run:?}");
+}
