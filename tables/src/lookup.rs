@@ -44,7 +44,7 @@ impl Edge {
 pub struct GpuRow {
     /// The edge it is measured from.
     pub edge: Edge,
-    /// The texels, array of shape [texels].
+    /// The texels, array of shape `[texels]`.
     pub texels: Vec<Texel>,
 }
 

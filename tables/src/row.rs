@@ -36,7 +36,7 @@ impl Row {
         self.texels.len() as u32
     }
 
-    /// The texels as a GPU holds them, array of shape [texels].
+    /// The texels as a GPU holds them, array of shape `[texels]`.
     pub fn gpu_texels(&self) -> Vec<Texel> {
         self.texels
             .iter()

@@ -14,7 +14,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table of `texels`, array of shape [rows][texels].
+    /// A table of `texels`, array of shape `[rows][texels]`.
     ///
     /// # Errors
     /// [`TableError`] if the header is invalid, the count is not the header's, or a texel is not
@@ -49,7 +49,7 @@ impl Table {
         Table::new(header, self.texels)
     }
 
-    /// All texels, array of shape [rows][texels].
+    /// All texels, array of shape `[rows][texels]`.
     pub fn texels(&self) -> &[Texel] {
         &self.texels
     }

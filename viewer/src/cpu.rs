@@ -24,7 +24,7 @@ pub fn render(scene: &Scene, sky: &Sky, row_done: impl Fn() + Sync) -> Picture {
     Picture::new(camera.width, camera.height, rows)
 }
 
-/// Calls `f` with the unit direction of every pixel, in the hole frame; row-major [height][width].
+/// Calls `f` with the unit direction of every pixel, in the hole frame; row-major `[height][width]`.
 pub fn by_pixel<T: Send>(
     camera: &Camera,
     row_done: impl Fn() + Sync,

@@ -88,13 +88,13 @@ impl Reference {
         self.pixels.iter().filter(captured).count()
     }
 
-    /// The directions, row-major [height][width].
+    /// The directions, row-major `[height][width]`.
     pub fn trace(&self) -> Vec<Fate<DVec3>> {
         let direction = |p: &ReferencePixel| p.light.map(|(direction, _)| direction);
         self.pixels.iter().map(direction).collect()
     }
 
-    /// The difference of two traces pixel by pixel, row-major [height][width].
+    /// The difference of two traces pixel by pixel, row-major `[height][width]`.
     pub fn errors(&self, a: &[Fate<DVec3>], b: &[Fate<DVec3>]) -> Vec<PixelError> {
         assert_eq!(a.len(), self.camera.pixels());
         assert_eq!(b.len(), self.camera.pixels());

@@ -16,7 +16,7 @@ const MARGIN: i32 = 28;
 const BOTH_CAPTURED: [u8; 3] = [0, 0, 0];
 const OTHER_FATE: [u8; 3] = [255, 0, 255];
 
-/// Writes the heat map of `errors`, row-major [height][width], to a PNG file, whole or not at all.
+/// Writes the heat map of `errors`, row-major `[height][width]`, to a PNG file, whole or not at all.
 ///
 /// # Errors
 /// [`PictureError`] names the file and what is wrong.

@@ -8,7 +8,7 @@ use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// A picture: linear-light RGB, row-major [height][width], row 0 at the top.
+/// A picture: linear-light RGB, row-major `[height][width]`, row 0 at the top.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
     width: u32,
@@ -34,7 +34,7 @@ impl PictureError {
 }
 
 impl Picture {
-    /// A picture of `pixels`, row-major [height][width].
+    /// A picture of `pixels`, row-major `[height][width]`.
     ///
     /// # Panics
     /// If their number is not width × height: a fault of the renderer, not of any input.
@@ -57,7 +57,7 @@ impl Picture {
         self.height
     }
 
-    /// The pixels, row-major [height][width].
+    /// The pixels, row-major `[height][width]`.
     pub fn pixels(&self) -> &[[f32; 3]] {
         &self.pixels
     }
@@ -104,7 +104,7 @@ impl Picture {
     }
 }
 
-/// Writes 8-bit sRGB `pixels`, [height][width][3], as PNG, whole or not at all.
+/// Writes 8-bit sRGB `pixels`, `[height][width][3]`, as PNG, whole or not at all.
 pub(crate) fn write_png(
     path: &Path,
     width: u32,

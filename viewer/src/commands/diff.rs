@@ -65,6 +65,7 @@ pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
     let mut missed = false;
     for (index, (what, errors)) in rows.iter().enumerate() {
         let Some(statistics) = TraceStatistics::of(errors) else {
+            text += &format!("{what:21} no pixel sees the sky: the shadow fills the picture\n");
             continue;
         };
         text += &format!(

@@ -11,7 +11,7 @@ use wgpu::util::DeviceExt;
 use wgpu::*;
 
 /// Where the light of each pixel comes from: unit directions in the hole frame, row-major
-/// [height][width].
+/// `[height][width]`.
 pub type Trace = Vec<Fate<DVec3>>;
 
 /// Bytes of a pixel as the shaders write it.
