@@ -4,14 +4,19 @@ mod cli;
 mod commands;
 mod progress;
 
-use clap::Parser;
 use cli::{Cli, Command};
 use commands::{CommandError, Outcome};
 use std::io;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let cli = match Cli::read() {
+        Ok(cli) => cli,
+        Err(line) => {
+            eprintln!("bake: {line}");
+            return ExitCode::from(2);
+        }
+    };
     let outcome = match cli.command {
         None => commands::bake::run(&cli.bake),
         Some(Command::Inspect { file }) => commands::inspect::run(&file),

@@ -290,6 +290,12 @@ fn a_row_for_one_observer_refuses_another() {
 
 #[test]
 fn typos_are_told_with_a_hint() {
+    for (args, word) in [
+        (["--observer", "0.5"], "greater than 1"),
+        (["--tolerance", "2"], "1e-13 to 1e-2"),
+    ] {
+        BAKE.run(&args).refuses(&[args[0], word]);
+    }
     let run = BAKE.run(&["inspekt"]);
     assert_eq!(run.code, 2, "{run:?}");
     assert!(run.stderr.contains("inspect"), "{run:?}");

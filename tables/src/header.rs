@@ -181,6 +181,7 @@ impl Header {
         }
         fields.extend([
             ("units", text(UNITS)),
+            ("domain", Field::Text(self.domain())),
             ("solver", text(&self.solver.name)),
             ("tolerance", Field::Real(self.solver.tolerance)),
             ("max_error", Field::Real(self.measured.max_error)),
@@ -189,6 +190,23 @@ impl Header {
             ("measured_edge_gap", Field::Real(self.measured.edge_gap)),
         ]);
         fields
+    }
+
+    /// The rays that a lookup answers for, in words.
+    fn domain(&self) -> String {
+        let observers = match self.rows {
+            Rows::Chi { .. } => "1 < r <= infinity".to_owned(),
+            Rows::One {
+                inverse_radius: 0.0,
+            } => "r = infinity".to_owned(),
+            Rows::One { inverse_radius } => format!("r = {}", 1.0 / inverse_radius),
+        };
+        match self.axis.b_range() {
+            None => format!("{observers}, 0 <= x < 1; captured at x >= 1"),
+            Some((b_min, b_max)) => {
+                format!("{observers}, {b_min} <= b <= {b_max}; captured at b <= b_c")
+            }
+        }
     }
 
     /// The inverse of [`Header::fields`]; `get` finds a field by name.

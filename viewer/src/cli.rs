@@ -1,5 +1,6 @@
 //! The command line.
 
+use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 use viewer::camera::View;
@@ -16,6 +17,23 @@ pub struct Cli {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+}
+
+impl Cli {
+    /// The command line. Help, and typos with their hints, are shown at once and end the program.
+    ///
+    /// # Errors
+    /// One line that names the option whose value is wrong, and says why.
+    pub fn read() -> Result<Self, String> {
+        Cli::try_parse().map_err(|error| {
+            if error.kind() != ErrorKind::ValueValidation {
+                error.exit();
+            }
+            let text = error.to_string();
+            let line = text.lines().next().unwrap_or_default();
+            line.trim_start_matches("error: ").to_owned()
+        })
+    }
 }
 
 /// What to do.
@@ -177,6 +195,9 @@ fn sky(text: &str) -> Result<SkySource, String> {
         "nebula" => SkySource::Nebula,
         "starmap" => SkySource::Starmap,
         "grid" => SkySource::Grid,
+        _ if files.len() == 1 && !files[0].exists() => {
+            return Err("is neither a file nor a built-in sky (nebula, starmap, grid)".to_owned());
+        }
         _ if files.len() == 1 => SkySource::Panorama(PathBuf::from(text)),
         _ => SkySource::Faces(<[PathBuf; 6]>::try_from(files).map_err(|files| {
             format!(

@@ -4,13 +4,19 @@ mod cli;
 mod commands;
 mod progress;
 
-use clap::Parser;
 use cli::{Cli, Command};
 use commands::Outcome;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let outcome = match Cli::parse().command {
+    let cli = match Cli::read() {
+        Ok(cli) => cli,
+        Err(line) => {
+            eprintln!("viewer: {line}");
+            return ExitCode::from(2);
+        }
+    };
+    let outcome = match cli.command {
         Command::Render(args) => commands::render::run(&args),
         Command::Diff(args) => commands::diff::run(&args),
     };

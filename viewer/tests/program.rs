@@ -129,7 +129,8 @@ fn skies_that_are_none_are_refused_in_one_line() {
     image::RgbImage::new(64, 64).save(&square).unwrap();
     render(&square).refuses(&[&square, "twice as wide as high"]);
     let five = [pixel.as_str(); 5].join(",");
-    assert_eq!(render(&five).code, 2);
+    render(&five).refuses(&["one panorama or six cube faces, not 5 files"]);
+    render("nebla").refuses(&["nebla", "built-in sky (nebula, starmap, grid)"]);
     render(folder.path().to_str().unwrap()).refuses(&[folder.path().to_str().unwrap()]);
     assert!(!Path::new(&out).exists());
 }
