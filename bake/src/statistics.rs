@@ -11,6 +11,8 @@ pub struct ErrorStatistics {
     pub p999: f64,
     /// Root of the mean square.
     pub rms: f64,
+    /// The median.
+    pub median: f64,
 }
 
 impl ErrorStatistics {
@@ -29,6 +31,7 @@ impl ErrorStatistics {
             max: *sizes.last()?,
             p999: *sizes.get(rank.saturating_sub(1))?,
             rms,
+            median: *sizes.get(count / 2)?,
         })
     }
 }
