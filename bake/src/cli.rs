@@ -39,6 +39,11 @@ pub enum Command {
     Query(QueryArgs),
     /// Compare a table with the direct integrator and with the closed form, off its nodes.
     Diff(DiffArgs),
+    /// Chart speed against accuracy: every method on the same rays, in one run.
+    ///
+    /// Writes chart.csv, and chart-px and chart-rad as SVG and PNG. Exit code 1 if a method beats the
+    /// default row: more accurate and faster, beyond the run's noise, at no more bytes a frame.
+    Chart(ChartArgs),
 }
 
 /// What to bake.
@@ -148,6 +153,20 @@ pub struct DiffArgs {
     /// Draw the error along the row to this SVG file.
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+}
+
+/// Options of `bake chart`.
+#[derive(Debug, Args)]
+pub struct ChartArgs {
+    /// Directory to write to.
+    #[arg(short, long, value_name = "DIR", default_value = "chart")]
+    pub output: PathBuf,
+    /// Few rays and short timings: seconds, to see that it works.
+    #[arg(long)]
+    pub quick: bool,
+    /// Seed of the random rays.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
 }
 
 fn observer(text: &str) -> Result<Observer, String> {

@@ -18,6 +18,7 @@ const BINS: usize = 120;
 pub fn error_figure(diff: &Diff, budget: f64, title: &str) -> Result<String, Box<dyn Error>> {
     let bins = largest_by_bin(diff);
     let ceiling = bins.iter().fold(budget, |a, b| a.max(b.1)).min(1e3) * 3.0;
+    crate::font::register();
     let mut svg = String::new();
     {
         let root = SVGBackend::with_string(&mut svg, (800, 480)).into_drawing_area();

@@ -11,8 +11,6 @@ pub struct ErrorStatistics {
     pub p999: f64,
     /// Root of the mean square.
     pub rms: f64,
-    /// The median.
-    pub median: f64,
 }
 
 impl ErrorStatistics {
@@ -31,7 +29,6 @@ impl ErrorStatistics {
             max: *sizes.last()?,
             p999: *sizes.get(rank.saturating_sub(1))?,
             rms,
-            median: *sizes.get(count / 2)?,
         })
     }
 }

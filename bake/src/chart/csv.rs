@@ -5,7 +5,7 @@ use super::{Entry, Section};
 use crate::statistics::ErrorStatistics;
 
 const HEAD: &str = "observer,family,name,knobs,source,bytes,ns_per_ray,ns_spread,\
-                    max_rad,p999_rad,rms_rad,median_rad,max_px,p999_px,rms_px,median_px,lost_rays";
+                    max_rad,p999_rad,rms_rad,median_on_sky_rad,max_px,p999_px,rms_px,lost_rays";
 
 /// All sections as CSV text with a head line.
 pub fn text(sections: &[Section]) -> String {
@@ -28,7 +28,7 @@ pub fn text(sections: &[Section]) -> String {
 fn line(observer: &str, entry: &Entry) -> String {
     let card = &entry.card;
     format!(
-        "{observer},{},{},{},{},{},{:.2},{:.3},{},{},{}",
+        "{observer},{},{},{},{},{},{:.2},{:.3},{},{:.3e},{},{}",
         card.family.name(),
         quoted(&card.name),
         quoted(&card.knobs),
@@ -37,19 +37,15 @@ fn line(observer: &str, entry: &Entry) -> String {
         entry.ns,
         entry.spread,
         statistics(&entry.radians),
+        entry.median_on_sky,
         statistics(&entry.pixels),
         entry.lost,
     )
 }
 
 fn statistics(errors: &ErrorStatistics) -> String {
-    let ErrorStatistics {
-        max,
-        p999,
-        rms,
-        median,
-    } = errors;
-    format!("{max:.3e},{p999:.3e},{rms:.3e},{median:.3e}")
+    let ErrorStatistics { max, p999, rms } = errors;
+    format!("{max:.3e},{p999:.3e},{rms:.3e}")
 }
 
 fn quoted(text: &str) -> String {

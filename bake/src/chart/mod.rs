@@ -2,7 +2,10 @@
 
 pub mod csv;
 pub mod figure;
+mod labels;
+mod marks;
 pub mod pareto;
+mod plane;
 pub mod rays;
 mod timing;
 
@@ -44,6 +47,8 @@ pub struct Entry {
     pub radians: ErrorStatistics,
     /// Errors in image space, pixels.
     pub pixels: ErrorStatistics,
+    /// Median error on the sky over the rays that do reach it, rad.
+    pub median_on_sky: f64,
     /// Rays of wrong fate, unfinished or refused.
     pub lost: usize,
 }
@@ -126,6 +131,7 @@ fn section(
                 spread: time.spread,
                 radians: ErrorStatistics::of(errors.iter().map(|e| e.radians))?,
                 pixels: ErrorStatistics::of(errors.iter().map(|e| e.pixels))?,
+                median_on_sky: rays::median_on_sky(rays.iter().zip(answers.iter().copied())),
                 lost: errors.iter().filter(|e| !e.radians.is_finite()).count(),
             })
         })

@@ -2,11 +2,8 @@
 
 use super::{Entry, Section};
 
-/// What the front is drawn for: the measure of error that counts.
-pub type Measure = fn(&Entry) -> f64;
-
-/// Indices of the entries that no other is both faster than and more accurate, fastest first.
-pub fn front(entries: &[Entry], error: Measure) -> Vec<usize> {
+/// Indices of the entries that no other beats in both time and `error`, fastest first.
+pub fn front(entries: &[Entry], error: impl Fn(&Entry) -> f64) -> Vec<usize> {
     let mut order: Vec<usize> = (0..entries.len()).collect();
     order.sort_by(|&a, &b| entries[a].ns.total_cmp(&entries[b].ns));
     let mut least = f64::INFINITY;
@@ -18,8 +15,8 @@ pub fn front(entries: &[Entry], error: Measure) -> Vec<usize> {
     order
 }
 
-/// The entries that beat the first, the default row: more accurate in the largest error, in rad or in
-/// pixels, and faster by more than the run's noise, at no more bytes a frame.
+/// The entries that beat the first, the default row: smaller in the largest error (rad, what a table's
+/// header promises) and faster by more than the run's noise, at no more bytes a frame.
 pub fn better_than_default(section: &Section) -> Vec<&Entry> {
     let Some((default, others)) = section.entries.split_first() else {
         return Vec::new();
@@ -28,8 +25,7 @@ pub fn better_than_default(section: &Section) -> Vec<&Entry> {
     others
         .iter()
         .filter(|other| {
-            let accurate =
-                other.radians.max < default.radians.max || other.pixels.max < default.pixels.max;
+            let accurate = other.radians.max < default.radians.max;
             let fast = other.ns * (1.0 + noise) < default.ns;
             accurate && fast && other.bytes <= default.bytes
         })
@@ -58,6 +54,7 @@ mod tests {
             spread: 0.05,
             radians: statistics,
             pixels: statistics,
+            median_on_sky: error,
             lost: 0,
         }
     }

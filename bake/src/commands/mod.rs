@@ -1,13 +1,16 @@
 //! The commands: arguments in, data to standard output, summaries to standard error.
 
 pub mod bake;
+pub mod chart;
 pub mod convert;
 pub mod diff;
 pub mod inspect;
 pub mod query;
 
+use ::bake::drawing::{self, Figure};
 use lensbake_tables::{ContainerError, Table, TableError, container, default_atlas};
 use std::borrow::Cow;
+use std::error::Error;
 use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -19,6 +22,8 @@ pub enum Outcome {
     Done,
     /// Done, but an error is larger than was allowed.
     BudgetMissed,
+    /// Done, but what the project claims of itself does not hold.
+    ClaimMissed,
 }
 
 /// Why a command could not do its work.
@@ -79,4 +84,18 @@ fn write_file(path: &Path, bytes: &[u8]) -> Result<(), CommandError> {
         path: path.to_owned(),
         problem: e.to_string(),
     })
+}
+
+/// Draws `figure` to `stem`.svg and `stem`.png.
+fn write_figure(stem: &Path, figure: &impl Figure) -> Result<(), CommandError> {
+    let undrawn = |path: &Path, e: Box<dyn Error>| CommandError::File {
+        path: path.to_owned(),
+        problem: e.to_string(),
+    };
+    let path = stem.with_extension("svg");
+    let svg = drawing::svg(figure).map_err(|e| undrawn(&path, e))?;
+    write_file(&path, svg.as_bytes())?;
+    let path = stem.with_extension("png");
+    let png = drawing::png(figure).map_err(|e| undrawn(&path, e))?;
+    write_file(&path, &png)
 }

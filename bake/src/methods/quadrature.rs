@@ -39,6 +39,11 @@ impl Method for Quadrature {
         }
     }
 
+    /// Nodes and weights.
+    fn bytes(&self) -> usize {
+        2 * self.points * size_of::<f64>()
+    }
+
     fn serves(&self, observer: &Observer) -> bool {
         observer.is_far()
     }

@@ -16,8 +16,11 @@ impl RowAxis {
     /// Its name in the CSV files and figures.
     pub fn name(self) -> &'static str {
         match self {
-            RowAxis::Baked(axis) => axis.name(),
-            RowAxis::ResidualS => "residual in s",
+            RowAxis::Baked(Axis::Residual) => "the residual",
+            RowAxis::Baked(Axis::UniformB { .. }) => "b",
+            RowAxis::Baked(Axis::UniformInverseB { .. }) => "1/b",
+            RowAxis::Baked(Axis::UniformLogB { .. }) => "ln(b/b_c − 1)",
+            RowAxis::ResidualS => "residual against s",
         }
     }
 
@@ -64,10 +67,7 @@ impl RowAxis {
     /// The bending at `at` from what the texels hold, rad.
     pub fn bend(self, observer: &Observer, at: EdgeCoordinate, value: f64) -> f64 {
         match self {
-            RowAxis::Baked(axis) => {
-                let stored = Stored { value, slope: 0.0 };
-                axis.bending(observer, at, stored).bend
-            }
+            RowAxis::Baked(axis) => axis.bend(observer, at, value),
             RowAxis::ResidualS => value - at.one_minus_x.ln(),
         }
     }

@@ -176,7 +176,7 @@ impl Method for RowTable {
             Format::F32 => "f32",
         };
         Card {
-            name: format!("table in {}", self.axis.name()),
+            name: format!("table: {}", self.axis.name()),
             knobs: format!("{}, {} × {format}", self.interpolation.name(), self.texels),
             source: match self.axis {
                 RowAxis::Baked(lensbake_tables::Axis::Residual) | RowAxis::ResidualS => {
