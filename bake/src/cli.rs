@@ -44,6 +44,11 @@ pub enum Command {
     /// Writes chart.csv, and chart-px and chart-rad as SVG and PNG. Exit code 1 if a method beats the
     /// default row: more accurate and faster, beyond the run's noise, at no more bytes a frame.
     Chart(ChartArgs),
+    /// Try every method in every regime: at the shadow's edge, at the horizon, with no ray at all.
+    ///
+    /// Writes atlas.csv, and the atlas as SVG and PNG. Exit code 1 if this project's own methods are
+    /// neither right nor refuse in words what is no ray.
+    Stability(StabilityArgs),
 }
 
 /// What to bake.
@@ -167,6 +172,14 @@ pub struct ChartArgs {
     /// Seed of the random rays.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
+}
+
+/// Options of `bake stability`.
+#[derive(Debug, Args)]
+pub struct StabilityArgs {
+    /// Directory to write to.
+    #[arg(short, long, value_name = "DIR", default_value = "stability")]
+    pub output: PathBuf,
 }
 
 fn observer(text: &str) -> Result<Observer, String> {

@@ -9,4 +9,5 @@ pub mod measure;
 pub mod methods;
 pub mod plot;
 pub mod rays;
+pub mod stability;
 pub mod statistics;

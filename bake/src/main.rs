@@ -19,6 +19,7 @@ fn main() -> ExitCode {
         Some(Command::Query(args)) => commands::query::run(&args),
         Some(Command::Diff(args)) => commands::diff::run(&args),
         Some(Command::Chart(args)) => commands::chart::run(&args),
+        Some(Command::Stability(args)) => commands::stability::run(&args),
     };
     match outcome {
         Ok(Outcome::Done) => ExitCode::SUCCESS,

@@ -1,18 +1,14 @@
 //! `bake chart`: speed against accuracy.
 
-use super::{CommandError, Outcome, write_figure, write_file};
+use super::{CommandError, Outcome, make_directory, write_figure, write_file};
 use crate::cli::ChartArgs;
 use crate::progress::Progress;
 use bake::chart::figure::{ChartFigure, Unit};
 use bake::chart::{Effort, Entry, Section, csv, measure, pareto, steps};
-use std::fs;
 use std::io::{self, Write};
 
 pub fn run(args: &ChartArgs) -> Result<Outcome, CommandError> {
-    fs::create_dir_all(&args.output).map_err(|e| CommandError::File {
-        path: args.output.clone(),
-        problem: e.to_string(),
-    })?;
+    make_directory(&args.output)?;
     let effort = effort(args);
     let progress = Progress::new("measuring", steps(&effort));
     let sections = measure(&effort, || progress.step())?;

@@ -6,11 +6,13 @@ pub mod convert;
 pub mod diff;
 pub mod inspect;
 pub mod query;
+pub mod stability;
 
 use ::bake::drawing::{self, Figure};
 use lensbake_tables::{ContainerError, Table, TableError, container, default_atlas};
 use std::borrow::Cow;
 use std::error::Error;
+use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -81,6 +83,14 @@ fn table_or_atlas(file: Option<&Path>) -> Result<(Cow<'static, Table>, PathBuf),
 /// Writes `bytes` to `path` whole or not at all.
 fn write_file(path: &Path, bytes: &[u8]) -> Result<(), CommandError> {
     container::write_whole(path, bytes).map_err(|e| CommandError::File {
+        path: path.to_owned(),
+        problem: e.to_string(),
+    })
+}
+
+/// Makes sure that there is a directory at `path`.
+fn make_directory(path: &Path) -> Result<(), CommandError> {
+    fs::create_dir_all(path).map_err(|e| CommandError::File {
         path: path.to_owned(),
         problem: e.to_string(),
     })
