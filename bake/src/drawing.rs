@@ -1,7 +1,7 @@
 //! A figure drawn once for each format.
 
 use crate::font;
-use image::codecs::png::PngEncoder;
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -53,7 +53,13 @@ pub fn png(figure: &impl Figure) -> Result<Vec<u8>, Box<dyn Error>> {
         area.present()?;
     }
     let mut file = Vec::new();
-    PngEncoder::new(&mut file).write_image(&pixels, width, height, ExtendedColorType::Rgb8)?;
+    let best = CompressionType::Best;
+    PngEncoder::new_with_quality(&mut file, best, FilterType::NoFilter).write_image(
+        &pixels,
+        width,
+        height,
+        ExtendedColorType::Rgb8,
+    )?;
     Ok(file)
 }
 

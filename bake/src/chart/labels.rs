@@ -104,7 +104,7 @@ impl Labels {
         let gap_x = (frame.left - point.0).max(point.0 - frame.right).max(0);
         let gap_y = (frame.top - point.1).max(point.1 - frame.bottom).max(0);
         let distance = f64::from(gap_x).hypot(f64::from(gap_y)) as i64;
-        100 * overlap + 60 * hidden + distance
+        100 * overlap + 150 * hidden + distance
     }
 }
 

@@ -58,7 +58,7 @@ fn report(sections: &[Section]) -> Result<Outcome, CommandError> {
         return Ok(Outcome::Done);
     };
     let mut text = String::from("      ns   largest error, rad        px   bytes   method\n");
-    for index in pareto::front(&far.entries, |entry| entry.pixels.max) {
+    for index in pareto::front(&far.entries, |entry| entry.radians.max) {
         text += &line(&far.entries[index]);
     }
     text += &format!(

@@ -1,6 +1,5 @@
 //! The methods of the atlas: one of each kind, at a setting that is good where it works.
 
-use crate::methods::Card;
 use crate::methods::closed_form::ClosedForm;
 use crate::methods::default_row::DefaultRow;
 use crate::methods::dormand_prince::DormandPrince;
@@ -15,6 +14,7 @@ use crate::methods::row_table::{Format, Interpolation, Nodes, RowTable};
 use crate::methods::seed_search::{SeedEquation, SeedSearch};
 use crate::methods::semi_implicit_euler::SemiImplicitEuler;
 use crate::methods::series::{StrongLimit, WeakSeries};
+use crate::methods::{Card, Method};
 use lensbake_core::Observer;
 use lensbake_tables::{Axis, TableError};
 
@@ -54,18 +54,17 @@ pub fn for_observer(observer: Observer) -> Result<Methods, TableError> {
     Ok(methods)
 }
 
-/// 1024 texels, linear; of the shipped residual as a GPU's sampler would filter it.
-fn table(axis: RowAxis, observer: Observer) -> Box<dyn crate::methods::Method> {
+/// Linear: 1024 texels, of the shipped residual 256 as a GPU's sampler would filter them.
+fn table(axis: RowAxis, observer: Observer) -> Box<dyn Method> {
     let observer = if axis.serves(&observer) {
         observer
     } else {
         Observer::far()
     };
-    let interpolation = if axis == RowAxis::Baked(Axis::Residual) {
-        Interpolation::LinearFilter8
-    } else {
-        Interpolation::Linear
+    let (texels, interpolation) = match axis {
+        RowAxis::Baked(Axis::Residual) => (256, Interpolation::LinearFilter8),
+        _ => (1024, Interpolation::Linear),
     };
-    let nodes = Nodes::new(axis, observer, 1024);
+    let nodes = Nodes::new(axis, observer, texels);
     Box::new(RowTable::new(&nodes, interpolation, Format::F32))
 }

@@ -11,7 +11,7 @@ pub use columns::is_product;
 pub use regime::{Input, Regime, Truth, regimes};
 pub use verdict::{TOLERANCE, Verdict};
 
-use crate::methods::{Card, Outcome};
+use crate::methods::{Card, Method, Outcome};
 use lensbake_tables::TableError;
 use rayon::prelude::*;
 
@@ -56,7 +56,7 @@ pub fn atlas(line_done: impl Fn() + Sync) -> Result<Atlas, TableError> {
 fn judge(regime: &Regime) -> Result<Vec<Verdict>, TableError> {
     let observer = regime.input.observer();
     let launch = regime.input.launch();
-    let verdict = |method: &dyn crate::methods::Method| {
+    let verdict = |method: &dyn Method| {
         if !method.serves(&observer) {
             return Verdict::NotServed;
         }
@@ -71,8 +71,7 @@ fn judge(regime: &Regime) -> Result<Vec<Verdict>, TableError> {
 }
 
 impl Atlas {
-    /// Where the product's own methods are neither right nor refuse what is no ray: the regimes' names
-    /// with the methods'.
+    /// The cells where the product's own methods are neither right nor refuse what is no ray.
     pub fn product_failures(&self) -> Vec<(&Regime, &Card, Verdict)> {
         let cells = self.lines.iter().flat_map(|line| {
             let columns = self.columns.iter().zip(&line.verdicts);
@@ -89,6 +88,9 @@ mod tests {
     use super::*;
     use crate::methods::Launch;
     use lensbake_core::{Fate, exact};
+    use std::sync::LazyLock;
+
+    static ATLAS: LazyLock<Atlas> = LazyLock::new(|| atlas(|| ()).unwrap());
 
     #[test]
     fn the_oracle_agrees_with_the_closed_form_in_60_digits() {
@@ -113,14 +115,13 @@ mod tests {
 
     #[test]
     fn the_product_is_right_or_refuses_everywhere() {
-        let atlas = atlas(|| ()).unwrap();
-        let failures = atlas.product_failures();
+        let failures = ATLAS.product_failures();
         assert!(failures.is_empty(), "{failures:#?}");
     }
 
     #[test]
     fn the_atlas_is_large_enough_and_every_cell_is_as_it_was() {
-        let atlas = atlas(|| ()).unwrap();
+        let atlas = &*ATLAS;
         assert!(atlas.columns.len() >= 12 && atlas.lines.len() >= 25);
         let recorded = csv::read(include_str!("../../../docs/stability/atlas.csv")).unwrap();
         let mut compared = 0;
