@@ -14,7 +14,7 @@ pub struct HeatMap<'a> {
 }
 
 const LEFT: i32 = 430;
-const TOP: i32 = 470;
+const TOP: i32 = 520;
 const MARGIN: i32 = 24;
 const CELL: (i32, i32) = (61, 30);
 /// Space between groups of lines, and after the product's columns.

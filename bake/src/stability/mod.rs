@@ -20,7 +20,7 @@ use rayon::prelude::*;
 pub struct Line {
     /// The regime.
     pub regime: Regime,
-    /// A verdict for each column, array of shape [columns].
+    /// A verdict for each column, in their order.
     pub verdicts: Vec<Verdict>,
 }
 
@@ -29,7 +29,7 @@ pub struct Line {
 pub struct Atlas {
     /// The methods, the product's own first.
     pub columns: Vec<Card>,
-    /// The regimes, array of shape [regimes].
+    /// The regimes, in the order of the file.
     pub lines: Vec<Line>,
 }
 
