@@ -57,6 +57,16 @@ pub enum Command {
     Query(QueryArgs),
     /// Compare a table with the direct integrator and with the closed form, off its nodes.
     Diff(DiffArgs),
+    /// Chart speed against accuracy: every method on the same rays, in one run.
+    ///
+    /// Writes chart.csv, and chart-px and chart-rad as SVG and PNG. Exit code 1 if a method beats the
+    /// default row: more accurate and faster, beyond the run's noise, at no more bytes a frame.
+    Chart(ChartArgs),
+    /// Try every method in every regime: at the shadow's edge, at the horizon, with no ray at all.
+    ///
+    /// Writes atlas.csv, and the atlas as SVG and PNG. Exit code 1 if this project's own methods are
+    /// neither right nor refuse in words what is no ray.
+    Stability(StabilityArgs),
 }
 
 /// What to bake.
@@ -166,6 +176,28 @@ pub struct DiffArgs {
     /// Draw the error along the row to this SVG file.
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+}
+
+/// Options of `bake chart`.
+#[derive(Debug, Args)]
+pub struct ChartArgs {
+    /// Directory to write to.
+    #[arg(short, long, value_name = "DIR", default_value = "chart")]
+    pub output: PathBuf,
+    /// Few rays and short timings: seconds, to see that it works.
+    #[arg(long)]
+    pub quick: bool,
+    /// Seed of the random rays.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+}
+
+/// Options of `bake stability`.
+#[derive(Debug, Args)]
+pub struct StabilityArgs {
+    /// Directory to write to.
+    #[arg(short, long, value_name = "DIR", default_value = "stability")]
+    pub output: PathBuf,
 }
 
 fn observer(text: &str) -> Result<Observer, String> {

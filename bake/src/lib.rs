@@ -1,8 +1,12 @@
 //! Baking bending tables and checking them: what the `bake` program is made of.
 
 pub mod baker;
+pub mod chart;
 pub mod diff;
+pub mod drawing;
 pub mod font;
 pub mod measure;
+pub mod methods;
 pub mod plot;
 pub mod rays;
+pub mod stability;

@@ -1,4 +1,4 @@
-//! The `bake` program. Exit code 0: done; 1: a budget was missed; 2: bad usage or input.
+//! The `bake` program. Exit code 0: done; 1: a budget or a claim was missed; 2: bad usage or input.
 
 mod cli;
 mod commands;
@@ -23,10 +23,12 @@ fn main() -> ExitCode {
         Some(Command::Convert { from, to }) => commands::convert::run(&from, &to),
         Some(Command::Query(args)) => commands::query::run(&args),
         Some(Command::Diff(args)) => commands::diff::run(&args),
+        Some(Command::Chart(args)) => commands::chart::run(&args),
+        Some(Command::Stability(args)) => commands::stability::run(&args),
     };
     match outcome {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
-        Ok(Outcome::BudgetMissed) => ExitCode::from(1),
+        Ok(Outcome::BudgetMissed | Outcome::ClaimMissed) => ExitCode::from(1),
         Err(error) if error.is_broken_pipe() => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("bake: {error}");

@@ -75,7 +75,8 @@ fn query_by_rk4_and_by_the_closed_form_agree() {
 #[test]
 fn query_knows_the_oracle_values() {
     let lines = [
-        ("inf 2.5981", 11.200_883_845_258_1),
+        // Of the f64 nearest to 2.5981.
+        ("inf 2.5981", 11.200_883_845_254_955),
         ("inf 3", 1.719_388_310_230_169),
         ("inf 1000", 0.002_002_950_587_024_579),
         ("25 30", 0.166_853_965_779_262_6),

@@ -16,6 +16,9 @@
 
 use crate::{B_CRIT, CoreError, Ray, U_PHOTON};
 
+/// b_c less [`B_CRIT`], the nearest f64: what the last b beside the edge are told apart by.
+const B_CRIT_REST: f64 = -7.151_834_159_792_777e-17;
+
 /// A point of the edge coordinate: x together with 1 − x, each to full relative accuracy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EdgeCoordinate {
@@ -34,11 +37,12 @@ impl EdgeCoordinate {
         }
     }
 
-    /// The point of impact parameter `b` for an observer at infinity, x = b_c/b.
+    /// The point of impact parameter `b` for an observer at infinity, x = b_c/b: right to the last b on
+    /// either side of b_c.
     pub fn from_b(b: f64) -> Self {
         EdgeCoordinate {
             x: B_CRIT / b,
-            one_minus_x: (b - B_CRIT) / b,
+            one_minus_x: ((b - B_CRIT) - B_CRIT_REST) / b,
         }
     }
 }
@@ -256,6 +260,13 @@ mod tests {
         }
         let at_photon_sphere = Observer::at(1.5).unwrap().edge_angle();
         assert!((at_photon_sphere - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+    }
+
+    /// b_c = 2.598 076 211 353 315 94… lies between two f64.
+    #[test]
+    fn the_edge_lies_between_two_impact_parameters() {
+        assert!(EdgeCoordinate::from_b(B_CRIT).one_minus_x > 0.0);
+        assert!(EdgeCoordinate::from_b(B_CRIT.next_down()).one_minus_x < 0.0);
     }
 
     #[test]

@@ -77,6 +77,7 @@ impl Axis {
 
     /// Position q of an edge coordinate outside the shadow; beyond 0 … 1 where the axis does not
     /// reach, which a lookup clamps as a texture does.
+    #[inline]
     pub fn position(&self, at: EdgeCoordinate) -> f64 {
         let between = |value: f64, first: f64, last: f64| (value - first) / (last - first);
         match *self {
@@ -151,6 +152,18 @@ impl Axis {
         }
     }
 
+    /// The bending alone from the stored value, rad: [`Axis::bending`] without its slope.
+    #[inline]
+    pub fn bend(&self, observer: &Observer, at: EdgeCoordinate, value: f64) -> f64 {
+        match self {
+            Axis::Residual => {
+                let d = at.one_minus_x;
+                value - (1.0 + log_weight(observer) * d) * d.ln()
+            }
+            _ => value,
+        }
+    }
+
     /// The part of the bending that the axis takes away before storing, and its derivative by x.
     fn logarithm(&self, observer: &Observer, at: EdgeCoordinate) -> BendAndSlope {
         if *self != Axis::Residual {
@@ -169,6 +182,7 @@ impl Axis {
 }
 
 /// (5/18) cos θ_c, the weight of d ln d beside ln d.
+#[inline]
 pub fn log_weight(observer: &Observer) -> f64 {
     5.0 / 18.0 * observer.cos_edge()
 }
@@ -233,6 +247,8 @@ mod tests {
                 let stored = axis.stored(&far, q, bend);
                 let back = axis.bending(&far, axis.coordinate(q), stored);
                 assert!((back.bend - bend.bend).abs() < 1e-12, "{axis:?} at {q}");
+                let alone = axis.bend(&far, axis.coordinate(q), stored.value);
+                assert!((alone - bend.bend).abs() < 1e-12, "{axis:?} at {q}");
                 assert!((back.slope - bend.slope).abs() < 1e-9, "{axis:?} at {q}");
             }
         }

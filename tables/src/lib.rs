@@ -30,7 +30,7 @@ pub mod statistics;
 mod table;
 
 pub use atlas::{ATLAS_BINARY, ATLAS_EXR, default_atlas};
-pub use axis::Axis;
+pub use axis::{Axis, Stored};
 pub use error::{ContainerError, Problem, TableError};
 pub use header::{Field, Header, Measured, Rows, Solver};
 pub use row::Row;

@@ -46,7 +46,11 @@ impl Row {
 
     /// The bending Δ at the edge coordinate `at`, rad: cubic Hermite between two texels.
     pub fn bend(&self, at: EdgeCoordinate) -> Fate {
-        self.bend_and_slope(at).map(|b| b.bend)
+        if at.one_minus_x <= 0.0 {
+            return Fate::Captured;
+        }
+        let stored = self.hermite(self.axis.position(at));
+        Fate::Escapes(self.axis.bend(&self.observer, at, stored.value))
     }
 
     /// The bending and dΔ/dx at the edge coordinate `at`.
@@ -59,6 +63,7 @@ impl Row {
     }
 
     /// The stored value at the position q and its derivative by q.
+    #[inline]
     fn hermite(&self, q: f64) -> Stored {
         let last = self.texels.len() - 1;
         let position = q.clamp(0.0, 1.0) * last as f64;

@@ -1,13 +1,18 @@
 //! The commands: arguments in, data to standard output, summaries to standard error.
 
 pub mod bake;
+pub mod chart;
 pub mod convert;
 pub mod diff;
 pub mod inspect;
 pub mod query;
+pub mod stability;
 
+use ::bake::drawing::{self, Figure};
 use lensbake_tables::{ContainerError, Table, TableError, container, default_atlas};
 use std::borrow::Cow;
+use std::error::Error;
+use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -19,6 +24,8 @@ pub enum Outcome {
     Done,
     /// Done, but an error is larger than was allowed.
     BudgetMissed,
+    /// Done, but what the project claims of itself does not hold.
+    ClaimMissed,
 }
 
 /// Why a command could not do its work.
@@ -79,4 +86,26 @@ fn write_file(path: &Path, bytes: &[u8]) -> Result<(), CommandError> {
         path: path.to_owned(),
         problem: e.to_string(),
     })
+}
+
+/// Makes sure that there is a directory at `path`.
+fn make_directory(path: &Path) -> Result<(), CommandError> {
+    fs::create_dir_all(path).map_err(|e| CommandError::File {
+        path: path.to_owned(),
+        problem: e.to_string(),
+    })
+}
+
+/// Draws `figure` to `stem`.svg and `stem`.png.
+fn write_figure(stem: &Path, figure: &impl Figure) -> Result<(), CommandError> {
+    let undrawn = |path: &Path, e: Box<dyn Error>| CommandError::File {
+        path: path.to_owned(),
+        problem: e.to_string(),
+    };
+    let path = stem.with_extension("svg");
+    let svg = drawing::svg(figure).map_err(|e| undrawn(&path, e))?;
+    write_file(&path, svg.as_bytes())?;
+    let path = stem.with_extension("png");
+    let png = drawing::png(figure).map_err(|e| undrawn(&path, e))?;
+    write_file(&path, &png)
 }
