@@ -2,9 +2,9 @@
 
 use crate::measure::for_each_sight;
 use crate::rays::Sight;
-use lensbake_tables::statistics::ErrorStatistics;
 use lensbake_core::rk4::Stepper;
 use lensbake_core::{BendAndSlope, Fate, direct, exact};
+use lensbake_tables::statistics::ErrorStatistics;
 use lensbake_tables::{Table, TableError};
 use std::io::{self, Write};
 

@@ -22,7 +22,10 @@ fn a_million_random_lookups_keep_the_promise() {
     }
     let largest = errors.iter().fold(0.0_f64, |a, e| a.max(e.abs()));
     let stated = atlas.header().measured.max_error;
-    assert!(largest > 0.5 * stated && largest < 1.5 * stated, "{largest:e}, stated {stated:e}");
+    assert!(
+        largest > 0.5 * stated && largest < 1.5 * stated,
+        "{largest:e}, stated {stated:e}"
+    );
 }
 
 #[test]
@@ -34,7 +37,9 @@ fn lookup_and_direct_integration_agree() {
         field_of_view: std::f64::consts::FRAC_PI_2,
     };
     let diff = diff(atlas, &rays, 1e-11, || ()).unwrap();
-    let statistics = diff.statistics(&picture, |ray| ray.lookup - ray.direct).unwrap();
+    let statistics = diff
+        .statistics(&picture, |ray| ray.lookup - ray.direct)
+        .unwrap();
     assert!(statistics.radians.max < PROMISE, "{statistics:?}");
     assert!(statistics.pixels.unwrap().max < 1e-4, "{statistics:?}");
 }
@@ -43,7 +48,9 @@ fn lookup_and_direct_integration_agree() {
 fn the_first_row_is_the_bending_from_infinity() {
     let row = default_atlas().row(Observer::far()).unwrap();
     for b in [2.5981, 2.6, 3.0, 10.0, 1e3, 1e6] {
-        let closed = exact::bend(&Ray::from_infinity(b).unwrap()).escaped().unwrap();
+        let closed = exact::bend(&Ray::from_infinity(b).unwrap())
+            .escaped()
+            .unwrap();
         let looked_up = row.bend(EdgeCoordinate::from_b(b)).escaped().unwrap();
         assert!((looked_up - closed).abs() < PROMISE, "b {b}");
     }
@@ -87,7 +94,10 @@ fn the_shipped_atlas_is_what_bake_writes() {
     let shipped = default_atlas();
     // Another machine's mathematics library may round the last bit otherwise.
     for (a, b) in fresh.texels().iter().zip(shipped.texels()) {
-        assert!((a[0] - b[0]).abs() <= 2.5e-7 && (a[1] - b[1]).abs() <= 2.5e-7, "{a:?} {b:?}");
+        assert!(
+            (a[0] - b[0]).abs() <= 2.5e-7 && (a[1] - b[1]).abs() <= 2.5e-7,
+            "{a:?} {b:?}"
+        );
     }
     let error = |table: &Table| table.header().measured.max_error;
     assert!((error(&fresh) / error(shipped) - 1.0).abs() < 0.1);
@@ -134,5 +144,8 @@ fn naive_axes_are_as_bad_as_their_reputation() {
     let inverse = error(Axis::UniformInverseB { b_min, b_max });
     assert!(inverse > 0.1, "uniform in 1/b: {inverse:e}");
     let logarithmic = error(Axis::UniformLogB { b_min, b_max });
-    assert!(logarithmic < 1e-4, "uniform in ln(b/b_c - 1): {logarithmic:e}");
+    assert!(
+        logarithmic < 1e-4,
+        "uniform in ln(b/b_c - 1): {logarithmic:e}"
+    );
 }

@@ -6,7 +6,7 @@ use crate::scene::{Method, Scene};
 use crate::sky::Sky;
 use glam::{DVec3, Vec3};
 use lensbake_core::Fate;
-use lensbake_tables::{Row, Texel};
+use lensbake_tables::{Interpolation, Row, Texel};
 use wgpu::util::DeviceExt;
 use wgpu::*;
 
@@ -148,7 +148,7 @@ impl<'a> Renderer<'a> {
     fn pipeline(&self, scene: &Scene, output: Output) -> ComputePipeline {
         let device = &self.gpu.device;
         let texels = scene.row.texel_count();
-        let source = shader_source(scene.method, output, texels);
+        let source = shader_source(scene.method, output, texels, scene.row.interpolation());
         let module = device.create_shader_module(ShaderModuleDescriptor {
             label: Some(output.entry_point()),
             source: ShaderSource::Wgsl(source.into()),
@@ -204,27 +204,32 @@ fn band_rows(scene: &Scene) -> u32 {
     (most_pixels / scene.camera.width).clamp(1, scene.camera.height)
 }
 
-/// The row as a 1-D texture.
+/// The row as a 1-D texture: values and slopes, or the values alone where no slope is read.
 fn row_texture(gpu: &Gpu, row: &Row) -> TextureView {
     let texels: Vec<Texel> = row.gpu_texels();
+    let values: Vec<f32> = texels.iter().map(|texel| texel[0]).collect();
+    let (format, contents) = match row.interpolation() {
+        Interpolation::Linear => (TextureFormat::R32Float, bytemuck::cast_slice(&values)),
+        Interpolation::Hermite => (TextureFormat::Rg32Float, bytemuck::cast_slice(&texels)),
+    };
     let texture = gpu.device.create_texture_with_data(
         &gpu.queue,
         &TextureDescriptor {
             label: Some("row"),
             size: Extent3d {
-                width: texels.len() as u32,
+                width: row.texel_count(),
                 height: 1,
                 depth_or_array_layers: 1,
             },
             mip_level_count: 1,
             sample_count: 1,
             dimension: TextureDimension::D1,
-            format: TextureFormat::Rg32Float,
+            format,
             usage: TextureUsages::TEXTURE_BINDING,
             view_formats: &[],
         },
         util::TextureDataOrder::LayerMajor,
-        bytemuck::cast_slice(&texels),
+        contents,
     );
     texture.create_view(&Default::default())
 }
