@@ -36,6 +36,18 @@ pub struct RenderArgs {
     /// Who bends the light: the table, direct integration, or nobody.
     #[arg(long, value_enum, default_value_t = MethodName::Lut)]
     pub method: MethodName,
+    /// Draw by the least model with at most this error in image space, in pixels: the undeflected sky
+    /// or the shortest row that will do. Exit code 1 if not even the whole row will.
+    #[arg(
+        long,
+        value_name = "PX",
+        conflicts_with = "method",
+        allow_negative_numbers = true
+    )]
+    pub budget_px: Option<f64>,
+    /// Say which model would do for the budget (or for 0.1 px), which would not, and what they cost.
+    #[arg(long)]
+    pub explain: bool,
     /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,
@@ -51,6 +63,12 @@ pub struct DiffArgs {
     /// it the exit code is 1.
     #[arg(long, value_name = "PX", default_value_t = 0.002)]
     pub budget_px: f64,
+    /// Draw by the least model within the budget in place of the whole row.
+    #[arg(long)]
+    pub least: bool,
+    /// Say which model would do for the budget, which would not, and what they cost.
+    #[arg(long)]
+    pub explain: bool,
     /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,

@@ -11,6 +11,7 @@ pub mod deflect;
 pub mod diff;
 pub mod gpu;
 pub mod heat_map;
+pub mod model;
 pub mod picture;
 pub mod scene;
 pub mod sky;

@@ -1,6 +1,7 @@
 //! The commands: arguments in, data to standard output, summaries to standard error.
 
 pub mod diff;
+mod least;
 pub mod render;
 
 use crate::cli::{DeviceName, SceneArgs};

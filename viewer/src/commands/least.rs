@@ -1,0 +1,50 @@
+//! The least model, as the commands ask for it.
+
+use super::CommandError;
+use std::io::{self, Write};
+use viewer::gpu::Gpu;
+use viewer::model::{Choice, Precision, choose, explain};
+use viewer::scene::Scene;
+
+/// The choice for `scene` on the GPU, or on the CPU without one.
+pub fn choice(scene: &Scene, budget_px: f64, gpu: Option<&Gpu>) -> Result<Choice, CommandError> {
+    check_budget(budget_px)?;
+    let precision = match gpu {
+        Some(_) => Precision::F32,
+        None => Precision::F64,
+    };
+    choose(scene, budget_px, precision).map_err(|problem| CommandError::Scene {
+        name: "the least model".into(),
+        problem,
+    })
+}
+
+/// Explains `choice` on standard output.
+pub fn print(choice: &Choice, scene: &Scene, step: f64) -> Result<(), CommandError> {
+    io::stdout()
+        .write_all(explain(choice, scene, step).as_bytes())
+        .map_err(CommandError::Stdout)
+}
+
+/// The scene to draw: by the chosen model, or with a line of warning by the whole row.
+pub fn scene_of(choice: Choice, whole: &Scene) -> Scene {
+    match choice.chosen {
+        Some(candidate) => candidate.scene,
+        None => {
+            eprintln!(
+                "viewer: no model keeps the error within {} px here; drawing with the whole row",
+                choice.budget_px
+            );
+            whole.clone()
+        }
+    }
+}
+
+/// Refuses a budget that is none.
+pub fn check_budget(budget_px: f64) -> Result<(), CommandError> {
+    if budget_px > 0.0 && budget_px.is_finite() {
+        Ok(())
+    } else {
+        Err(CommandError::Budget(budget_px))
+    }
+}
