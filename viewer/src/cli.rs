@@ -25,6 +25,8 @@ pub enum Command {
     Render(RenderArgs),
     /// Draw by lookup and by direct integration, and say how far they are apart.
     Diff(DiffArgs),
+    /// Chart speed against accuracy of every way to draw, on the GPU at hand.
+    Chart(ChartArgs),
 }
 
 /// Options of `viewer render`.
@@ -72,6 +74,26 @@ pub struct DiffArgs {
     /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,
+}
+
+/// Options of `viewer chart`.
+#[derive(Debug, Args)]
+pub struct ChartArgs {
+    /// Folder to write gpu.csv, gpu.svg and gpu.png to.
+    #[arg(short, long, value_name = "DIR", default_value = "chart")]
+    pub output: PathBuf,
+    /// Size of the picture [default: 1920x1080, with --quick 320x180].
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<(u32, u32)>,
+    /// Field of view across the picture, between 0 and 180.
+    #[arg(long, value_name = "DEG", default_value_t = View::default().fov_deg, allow_negative_numbers = true)]
+    pub fov: f64,
+    /// Radius of the camera, above 1 (the horizon).
+    #[arg(short, long, value_name = "R", default_value_t = View::default().radius, allow_negative_numbers = true)]
+    pub radius: f64,
+    /// A small picture and few rounds: seconds, to see that it works.
+    #[arg(long)]
+    pub quick: bool,
 }
 
 /// The scene and what draws it.

@@ -12,6 +12,7 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let outcome = match Cli::parse().command {
         Command::Render(args) => commands::render::run(&args),
+        Command::Chart(args) => commands::chart::run(&args),
         Command::Diff(args) => commands::diff::run(&args),
     };
     match outcome {

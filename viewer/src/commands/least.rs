@@ -2,6 +2,7 @@
 
 use super::CommandError;
 use std::io::{self, Write};
+use std::time::Instant;
 use viewer::gpu::Gpu;
 use viewer::model::{Choice, Precision, choose, explain};
 use viewer::scene::Scene;
@@ -13,10 +14,14 @@ pub fn choice(scene: &Scene, budget_px: f64, gpu: Option<&Gpu>) -> Result<Choice
         Some(_) => Precision::F32,
         None => Precision::F64,
     };
-    choose(scene, budget_px, precision).map_err(|problem| CommandError::Scene {
+    let started = Instant::now();
+    let choice = choose(scene, budget_px, precision).map_err(|problem| CommandError::Scene {
         name: "the least model".into(),
         problem,
-    })
+    })?;
+    let ms = 1e3 * started.elapsed().as_secs_f64();
+    eprintln!("least model chosen in {ms:.1} ms");
+    Ok(choice)
 }
 
 /// Explains `choice` on standard output.
@@ -31,8 +36,13 @@ pub fn scene_of(choice: Choice, whole: &Scene) -> Scene {
     match choice.chosen {
         Some(candidate) => candidate.scene,
         None => {
+            let advice = if choice.rounding_px > choice.budget_px {
+                " (f32 rounding alone breaks it: try --device cpu)"
+            } else {
+                ""
+            };
             eprintln!(
-                "viewer: no model keeps the error within {} px here; drawing with the whole row",
+                "viewer: no model keeps the error within {} px here{advice}; drawing with the whole row",
                 choice.budget_px
             );
             whole.clone()

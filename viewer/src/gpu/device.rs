@@ -93,6 +93,11 @@ impl Gpu {
         format!("{} ({})", self.info.name, self.info.backend)
     }
 
+    /// Whether the adapter is software: the CPU in disguise.
+    pub fn is_software(&self) -> bool {
+        self.info.device_type == DeviceType::Cpu
+    }
+
     /// Whether it can note the time at which work begins and ends on it.
     pub fn has_timestamps(&self) -> bool {
         self.device.features().contains(Features::TIMESTAMP_QUERY)

@@ -112,6 +112,8 @@ pub struct Choice {
     pub budget_px: f64,
     /// The numbers that the picture is drawn in.
     pub precision: Precision,
+    /// What its rounding may come to by itself, pixels; part of every prediction.
+    pub rounding_px: f64,
     /// Pixels that the predictions were first made from.
     pub samples: usize,
     /// The first model within the budget; `None` if not even the whole row is.
@@ -148,6 +150,7 @@ pub fn choose(scene: &Scene, budget_px: f64, precision: Precision) -> Result<Cho
     Ok(Choice {
         budget_px,
         precision,
+        rounding_px: predictor.rounding_px(),
         samples: predictor.samples(),
         chosen,
         left_out,

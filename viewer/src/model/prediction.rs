@@ -82,6 +82,13 @@ impl<'a> Predictor<'a> {
         self.samples.len()
     }
 
+    /// The most by which rounding alone moves a sample, pixels.
+    pub fn rounding_px(&self) -> f64 {
+        let rounding = self.precision.rounding();
+        let moved = self.samples.iter().map(|s| rounding / s.gradient());
+        moved.fold(0.0, f64::max)
+    }
+
     /// The largest error when the picture is drawn as `drawn`.
     pub fn predict(&self, drawn: &Scene) -> Prediction {
         let nothing = || Prediction {
