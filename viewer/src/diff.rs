@@ -90,8 +90,7 @@ impl Reference {
 
     /// Number of pixels that see the horizon.
     pub fn captured(&self) -> usize {
-        let captured = |p: &&ReferencePixel| p.light == Fate::Captured;
-        self.pixels.iter().filter(captured).count()
+        self.pixels.iter().filter(|p| p.is_captured()).count()
     }
 
     /// The directions, row-major [height][width].
@@ -134,6 +133,16 @@ impl ReferencePixel {
     /// |dθ/d pixel|, rad.
     pub fn gradient(&self) -> f64 {
         self.gradient
+    }
+
+    /// |θ − θ_c| in pixels.
+    pub fn edge_distance(&self) -> f64 {
+        self.edge_distance
+    }
+
+    /// Whether it sees the horizon.
+    pub fn is_captured(&self) -> bool {
+        self.light == Fate::Captured
     }
 
     /// The error here of the CPU's picture of `drawn`.

@@ -13,8 +13,10 @@ use std::path::Path;
 const SIZE: (u32, u32) = (1600, 1000);
 /// Least distance between the labels of a family, pixels.
 const LINE: i32 = 28;
-/// Distance of a label from its mark, pixels.
-const ASIDE: i32 = 44;
+/// Distance of a label from its mark and the bar of its spread, pixels.
+const ASIDE: i32 = 24;
+/// From the middle of a line of text to what looks like its middle, pixels.
+const LETTERS: i32 = 4;
 
 /// Writes the figure as an SVG and as a PNG file, each whole or not at all.
 ///
@@ -36,6 +38,21 @@ pub fn write(chart: &Chart, svg: &Path, png: &Path) -> Result<(), PictureError> 
 struct Mark<'a> {
     entry: &'a Entry,
     at: (i32, i32),
+    /// The ends of the bar that shows the spread of its time.
+    bar: [(i32, i32); 2],
+}
+
+impl<'a> Mark<'a> {
+    fn new(entry: &'a Entry, plane: &Plane) -> Self {
+        let (time, error) = (entry.times.best(), entry.errors.pixels.max);
+        let spread = time.spread.min(0.9);
+        let end = |sign: f64| plane.at(time.ns * (1.0 + sign * spread), error);
+        Mark {
+            entry,
+            at: plane.at(time.ns, error),
+            bar: [end(-1.0), end(1.0)],
+        }
+    }
 }
 
 fn draw<DB: DrawingBackend>(chart: &Chart, area: &Area<DB>) -> Result<(), Box<dyn Error>>
@@ -56,18 +73,13 @@ where
     plane.draw(area, clock, "largest error in image space, pixels")?;
     draw_front(area, &plane, &points)?;
     for family in Family::ALL {
-        let of_family = |(entry, &(ns, error)): (_, &(f64, f64))| Mark {
-            entry,
-            at: plane.at(ns, error),
-        };
         let marks: Vec<Mark> = chart
             .entries
             .iter()
-            .zip(&points)
-            .filter(|(entry, _)| entry.family == family)
-            .map(of_family)
+            .filter(|entry| entry.family == family)
+            .map(|entry| Mark::new(entry, &plane))
             .collect();
-        draw_family(area, &plane, family, &marks)?;
+        draw_family(area, family, &marks)?;
     }
     draw_legend(area)?;
     area.present()?;
@@ -119,7 +131,6 @@ where
 
 fn draw_family<DB: DrawingBackend>(
     area: &Area<DB>,
-    plane: &Plane,
     family: Family,
     marks: &[Mark],
 ) -> Result<(), Box<dyn Error>>
@@ -130,13 +141,7 @@ where
     let way: Vec<_> = marks.iter().map(|mark| mark.at).collect();
     area.draw(&PathElement::new(way, colour.stroke_width(2)))?;
     for mark in marks {
-        // The spread of the time, as a bar.
-        let (time, error) = (mark.entry.times.best(), mark.entry.errors.pixels.max);
-        let end = |sign: f64| plane.at(time.ns * (1.0 + sign * time.spread), error);
-        area.draw(&PathElement::new(
-            vec![end(-1.0), end(1.0)],
-            colour.stroke_width(4),
-        ))?;
+        area.draw(&PathElement::new(mark.bar.to_vec(), colour.stroke_width(4)))?;
         draw_mark(area, family, mark.at)?;
     }
     draw_labels(area, family, marks)
@@ -177,8 +182,8 @@ where
     DB::ErrorType: 'static,
 {
     let (side, anchor) = match family {
-        Family::Linear => (-ASIDE, HPos::Right),
-        Family::Hermite | Family::Direct | Family::Flat => (ASIDE, HPos::Left),
+        Family::Linear => (-1, HPos::Right),
+        Family::Hermite | Family::Direct | Family::Flat => (1, HPos::Left),
     };
     let colour = colour(family);
     let style = text(26).color(&colour).pos(Pos::new(anchor, VPos::Center));
@@ -186,10 +191,14 @@ where
     marks.sort_by_key(|mark| mark.at.1);
     let heights = apart(&marks.iter().map(|mark| mark.at.1).collect::<Vec<_>>());
     for (mark, y) in marks.into_iter().zip(heights) {
-        let x = mark.at.0 + side;
-        let leader = vec![mark.at, (x - side.signum() * 6, y)];
-        area.draw(&PathElement::new(leader, colour.mix(0.5).stroke_width(1)))?;
-        area.draw(&Text::new(mark.entry.name.clone(), (x, y), style.clone()))?;
+        let [left, right] = mark.bar;
+        let end = if side < 0 { left } else { right };
+        let beside_mark = mark.at.0 + side * 12;
+        let x = side * (side * end.0).max(side * beside_mark) + side * ASIDE;
+        let leader = vec![(x - side * (ASIDE - 4), mark.at.1), (x - side * 6, y)];
+        area.draw(&PathElement::new(leader, colour.stroke_width(1)))?;
+        let name = mark.entry.name.clone();
+        area.draw(&Text::new(name, (x, y + LETTERS), style.clone()))?;
     }
     Ok(())
 }
@@ -218,12 +227,20 @@ where
     for (line, family) in Family::ALL.into_iter().enumerate() {
         let y = top + 16 + 38 * line as i32;
         draw_mark(area, family, (left, y))?;
-        area.draw(&Text::new(family.name(), (left + 30, y), style.clone()))?;
+        area.draw(&Text::new(
+            family.name(),
+            (left + 30, y + LETTERS),
+            style.clone(),
+        ))?;
     }
     let y = top + 16 + 38 * Family::ALL.len() as i32;
     let way = vec![(left - 14, y), (left + 14, y)];
     area.draw(&PathElement::new(way, FRONT.stroke_width(6)))?;
-    area.draw(&Text::new("no method beats these", (left + 30, y), style))?;
+    area.draw(&Text::new(
+        "no method beats these",
+        (left + 30, y + LETTERS),
+        style,
+    ))?;
     Ok(())
 }
 

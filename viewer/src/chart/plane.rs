@@ -31,8 +31,8 @@ pub struct Plane {
     error: RangeInclusive<f64>,
 }
 
-/// Room left on either side of the costs, as a factor.
-const ROOM: f64 = 1.6;
+/// Room left on either side of the costs for labels, as a factor.
+const ROOM: f64 = 2.0;
 /// An error of 0 is drawn here: f32 has none that small.
 const LEAST_ERROR: f64 = 1e-9;
 
@@ -87,7 +87,7 @@ impl Plane {
             let (_, y) = self.at(*self.cost.end(), 10f64.powi(exponent));
             area.draw(&line((LEFT, y), (RIGHT, y)))?;
             let tick = format!("1e{exponent}");
-            area.draw(&Text::new(tick, (LEFT - 14, y), beside.clone()))?;
+            area.draw(&Text::new(tick, (LEFT - 14, y + 4), beside.clone()))?;
         }
         let frame = [(LEFT, TOP), (RIGHT, BOTTOM)];
         area.draw(&Rectangle::new(frame, DARK.stroke_width(2)))?;

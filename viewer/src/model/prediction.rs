@@ -84,9 +84,18 @@ impl<'a> Predictor<'a> {
 
     /// The most by which rounding alone moves a sample, pixels.
     pub fn rounding_px(&self) -> f64 {
-        let rounding = self.precision.rounding();
-        let moved = self.samples.iter().map(|s| rounding / s.gradient());
+        let moved = self.samples.iter().map(|sample| self.rounding(sample));
         moved.fold(0.0, f64::max)
+    }
+
+    /// By how much rounding moves a pixel, in pixels: not at all well inside the shadow.
+    fn rounding(&self, pixel: &ReferencePixel) -> f64 {
+        let moved = self.precision.rounding() / pixel.gradient();
+        if pixel.is_captured() && pixel.edge_distance() > moved {
+            0.0
+        } else {
+            moved
+        }
     }
 
     /// The largest error when the picture is drawn as `drawn`.
@@ -152,7 +161,7 @@ impl<'a> Predictor<'a> {
     fn error(&self, drawn: &Scene, pixel: &ReferencePixel) -> Prediction {
         let error = pixel.error_of(drawn);
         Prediction {
-            pixels: error.pixels() + self.precision.rounding() / pixel.gradient(),
+            pixels: error.pixels() + self.rounding(pixel),
             radians: error.radians(),
             worst: pixel.at(),
         }
