@@ -85,6 +85,11 @@ pub(crate) const MAX_TEXELS: u64 = 1 << 22;
 
 const UNITS: &str = "r_s = 1 (2GM = 1), c = 1; angles and texels in radians";
 
+/// Checks that a row may have so many texels.
+pub(crate) fn check_texels(texels: u32) -> Result<(), TableError> {
+    in_range("the number of texels in a row", texels.into(), TEXELS)
+}
+
 impl Header {
     /// Number of rows.
     pub fn row_count(&self) -> u32 {
@@ -116,7 +121,7 @@ impl Header {
     /// # Errors
     /// [`TableError::Size`] or [`TableError::Field`] with what is wrong.
     pub fn validate(&self) -> Result<(), TableError> {
-        in_range("the number of texels in a row", self.texels.into(), TEXELS)?;
+        check_texels(self.texels)?;
         match self.rows {
             Rows::Chi { count } => in_range("the number of rows", count.into(), ROWS)?,
             Rows::One { inverse_radius } => {

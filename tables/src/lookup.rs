@@ -2,20 +2,23 @@
 //! same. The reference in f64 is [`crate::Row::bend`].
 
 use crate::axis::log_weight;
-use crate::{Row, Texel};
+use crate::{Interpolation, Row, Texel};
 use lensbake_core::{Fate, Observer};
 
 /// The same lookup for a GPU. Needs before it the text of [`wgsl_row`].
 pub const WGSL: &str = include_str!("lookup.wgsl");
 
-/// WGSL that declares the row as a 1-D texture of `texels` texels at the given binding, and loads
-/// from it. The texels are interpolated by hand: hardware filters have 8-bit weights.
-pub fn wgsl_row(texels: u32, group: u32, binding: u32) -> String {
+/// WGSL that declares the row as a 1-D texture of `texels` texels at the given binding, loads from
+/// it, and reads between two texels by `interpolation`: by hand, for hardware filters have 8-bit
+/// weights.
+pub fn wgsl_row(texels: u32, interpolation: Interpolation, group: u32, binding: u32) -> String {
     format!(
         "const ROW_LAST: u32 = {}u;\n\
          @group({group}) @binding({binding}) var row: texture_1d<f32>;\n\
-         fn row_texel(i: u32) -> vec2<f32> {{ return textureLoad(row, i, 0).xy; }}\n",
-        texels - 1
+         fn row_texel(i: u32) -> vec2<f32> {{ return textureLoad(row, i, 0).xy; }}\n\
+         fn interpolate(position: f32) -> vec2<f32> {{ return {}(position); }}\n",
+        texels - 1,
+        interpolation.wgsl_function(),
     )
 }
 
@@ -46,6 +49,8 @@ pub struct GpuRow {
     pub edge: Edge,
     /// The texels, array of shape `[texels]`.
     pub texels: Vec<Texel>,
+    /// How they are read.
+    pub interpolation: Interpolation,
 }
 
 /// The bending as a GPU finds it.
@@ -73,7 +78,24 @@ impl GpuRow {
         GpuRow {
             edge: Edge::of(row.observer()),
             texels: row.gpu_texels(),
+            interpolation: row.interpolation(),
         }
+    }
+
+    /// At `position` in texels, the value and its derivative a texel, as the row is to be read.
+    pub fn interpolate(&self, position: f32) -> [f32; 2] {
+        match self.interpolation {
+            Interpolation::Linear => self.linear(position),
+            Interpolation::Hermite => self.hermite(position),
+        }
+    }
+
+    /// Linear at `position` in texels: the value and its derivative a texel. Reads the values only.
+    pub fn linear(&self, position: f32) -> [f32; 2] {
+        let i = (position as usize).min(self.texels.len() - 2);
+        let a = self.texels[i][0];
+        let rise = self.texels[i + 1][0] - a;
+        [a + (position - i as f32) * rise, rise]
     }
 
     /// Cubic Hermite at `position` in texels: the value and its derivative a texel.
@@ -100,7 +122,7 @@ impl GpuRow {
         let d = 1.0 - x;
         let root = x.sqrt();
         let q = (d / (1.0 + root)).sqrt();
-        let [value, slope] = self.hermite(q * last);
+        let [value, slope] = self.interpolate(q * last);
         let ln = d.ln();
         let factor = 1.0 + self.edge.log_weight * d;
         let dx_dq = -4.0 * q * root.max(1e-9);

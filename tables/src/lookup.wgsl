@@ -1,6 +1,7 @@
 // The lookup on a GPU. Each function has its twin of the same name in lookup.rs.
-// Needs before it: `const ROW_LAST: u32`, the index of the row's last texel, and
-// `fn row_texel(i: u32) -> vec2<f32>`, which loads one.
+// Needs beside it: `const ROW_LAST: u32`, the index of the row's last texel,
+// `fn row_texel(i: u32) -> vec2<f32>`, which loads one, and `fn interpolate(position: f32) -> vec2<f32>`,
+// which is one of the two below.
 
 // The shadow's edge as the observer sees it.
 struct Edge {
@@ -25,6 +26,14 @@ fn edge_coordinate(c: f32, p: f32, edge: Edge) -> f32 {
     return edge.tan_half * cot_half;
 }
 
+// Linear at `position` in texels: the value and its derivative a texel. Reads the values only.
+fn linear(position: f32) -> vec2<f32> {
+    let i = min(u32(position), ROW_LAST - 1u);
+    let a = row_texel(i).x;
+    let rise = row_texel(i + 1u).x - a;
+    return vec2(a + (position - f32(i)) * rise, rise);
+}
+
 // Cubic Hermite at `position` in texels: the value and its derivative a texel.
 fn hermite(position: f32) -> vec2<f32> {
     let i = min(u32(position), ROW_LAST - 1u);
@@ -47,7 +56,7 @@ fn bending(c: f32, p: f32, edge: Edge) -> Bending {
     let d = 1.0 - x;
     let root = sqrt(x);
     let q = sqrt(d / (1.0 + root));
-    let r = hermite(q * f32(ROW_LAST));
+    let r = interpolate(q * f32(ROW_LAST));
     let ln = log(d);
     let factor = 1.0 + edge.log_weight * d;
     // dΔ/dθ = dΔ/dx dx/dθ with dx/dq = −4 q √x and dx/dθ = −x/sin θ.

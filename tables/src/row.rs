@@ -1,7 +1,8 @@
 //! The row of one observer: the lookup in f64, the reference that the GPU's is held to.
 
-use crate::Texel;
 use crate::axis::{Axis, Stored};
+use crate::header::check_texels;
+use crate::{Interpolation, TableError, Texel};
 use lensbake_core::{BendAndSlope, EdgeCoordinate, Fate, Observer};
 
 /// One observer's row.
@@ -10,6 +11,7 @@ pub struct Row {
     axis: Axis,
     observer: Observer,
     texels: Vec<[f64; 2]>,
+    interpolation: Interpolation,
 }
 
 impl Row {
@@ -18,7 +20,27 @@ impl Row {
             axis,
             observer,
             texels,
+            interpolation: Interpolation::Hermite,
         }
+    }
+
+    /// The same row with another number of texels, read by `interpolation`: each new texel is looked
+    /// up in this row.
+    ///
+    /// # Errors
+    /// [`TableError::Size`] if a table could not have so many texels in a row.
+    pub fn resampled(&self, texels: u32, interpolation: Interpolation) -> Result<Self, TableError> {
+        check_texels(texels)?;
+        let last = f64::from(texels - 1);
+        let resampled = (0..texels).map(|i| {
+            let stored = self.stored(f64::from(i) / last);
+            [stored.value, stored.slope / last]
+        });
+        Ok(Row {
+            texels: resampled.collect(),
+            interpolation,
+            ..*self
+        })
     }
 
     /// Whose row it is.
@@ -36,6 +58,16 @@ impl Row {
         self.texels.len() as u32
     }
 
+    /// How it is read between two texels: Hermite unless it was resampled otherwise.
+    pub fn interpolation(&self) -> Interpolation {
+        self.interpolation
+    }
+
+    /// Bytes of the row on a GPU.
+    pub fn gpu_bytes(&self) -> usize {
+        self.texels.len() * self.interpolation.texel_bytes()
+    }
+
     /// The texels as a GPU holds them, array of shape `[texels]`.
     pub fn gpu_texels(&self) -> Vec<Texel> {
         self.texels
@@ -44,12 +76,12 @@ impl Row {
             .collect()
     }
 
-    /// The bending Δ at the edge coordinate `at`, rad: cubic Hermite between two texels.
+    /// The bending Δ at the edge coordinate `at`, rad.
     pub fn bend(&self, at: EdgeCoordinate) -> Fate {
         if at.one_minus_x <= 0.0 {
             return Fate::Captured;
         }
-        let stored = self.hermite(self.axis.position(at));
+        let stored = self.stored(self.axis.position(at));
         Fate::Escapes(self.axis.bend(&self.observer, at, stored.value))
     }
 
@@ -58,24 +90,12 @@ impl Row {
         if at.one_minus_x <= 0.0 {
             return Fate::Captured;
         }
-        let stored = self.hermite(self.axis.position(at));
+        let stored = self.stored(self.axis.position(at));
         Fate::Escapes(self.axis.bending(&self.observer, at, stored))
     }
 
     /// The stored value at the position q and its derivative by q.
-    #[inline]
-    fn hermite(&self, q: f64) -> Stored {
-        let last = self.texels.len() - 1;
-        let position = q.clamp(0.0, 1.0) * last as f64;
-        let i = (position as usize).min(last - 1);
-        let t = position - i as f64;
-        let ([a, slope_a], [b, slope_b]) = (self.texels[i], self.texels[i + 1]);
-        let rise = b - a;
-        let c2 = 3.0 * rise - 2.0 * slope_a - slope_b;
-        let c3 = slope_a + slope_b - 2.0 * rise;
-        Stored {
-            value: a + t * (slope_a + t * (c2 + t * c3)),
-            slope: (slope_a + t * (2.0 * c2 + t * 3.0 * c3)) * last as f64,
-        }
+    fn stored(&self, q: f64) -> Stored {
+        self.interpolation.between(&self.texels, q)
     }
 }

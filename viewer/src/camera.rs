@@ -162,6 +162,25 @@ impl Camera {
         self.ray(column, row).normalize()
     }
 
+    /// The pixel (column, row) that `direction` in the hole frame falls into, if the picture has it.
+    pub fn pixel(&self, direction: DVec3) -> Option<(u32, u32)> {
+        let ahead = direction.dot(self.forward);
+        if ahead <= 0.0 {
+            return None;
+        }
+        let along = |step: DVec3, side: u32| {
+            let from_middle = direction.dot(step) / (ahead * step.length_squared());
+            let position = from_middle + 0.5 * f64::from(side);
+            (0.0..f64::from(side))
+                .contains(&position)
+                .then_some(position as u32)
+        };
+        Some((
+            along(self.right, self.width)?,
+            along(self.down, self.height)?,
+        ))
+    }
+
     /// |dθ/d pixel| at pixel (column, row), rad: the steepest change of the view angle.
     pub fn view_angle_gradient(&self, column: u32, row: u32) -> f64 {
         let ray = self.ray(column, row);
@@ -229,6 +248,21 @@ mod tests {
         assert!((left.normalize().dot(DVec3::NEG_Z).acos() - PI / 4.0).abs() < 1e-12);
         assert!(camera.direction(100, 25).x > 0.0, "right is +X");
         assert!(camera.direction(50, 0).y > 0.0, "the top is +Y");
+    }
+
+    #[test]
+    fn a_pixel_is_found_again_by_its_direction() {
+        let camera = camera(|v| {
+            v.yaw_deg = 100.0;
+            v.pitch_deg = 20.0;
+            v.roll_deg = 30.0;
+        });
+        for (column, row) in [(0, 0), (100, 0), (3, 50), (50, 25)] {
+            let direction = camera.direction(column, row);
+            assert_eq!(camera.pixel(direction), Some((column, row)));
+            assert_eq!(camera.pixel(-direction), None);
+        }
+        assert_eq!(camera.pixel(DVec3::NEG_Z), None, "the hole is behind");
     }
 
     #[test]

@@ -43,6 +43,8 @@ pub enum Command {
     Render(RenderArgs),
     /// Draw by lookup and by direct integration, and say how far they are apart.
     Diff(DiffArgs),
+    /// Chart speed against accuracy of every way to draw, on the GPU at hand.
+    Chart(ChartArgs),
 }
 
 /// Options of `viewer render`.
@@ -54,6 +56,18 @@ pub struct RenderArgs {
     /// Who bends the light: the table, direct integration, or nobody.
     #[arg(long, value_enum, default_value_t = MethodName::Lut)]
     pub method: MethodName,
+    /// Draw by the least model with at most this error in image space, in pixels: the undeflected sky
+    /// or the shortest row that will do. Exit code 1 if not even the whole row will.
+    #[arg(
+        long,
+        value_name = "PX",
+        conflicts_with = "method",
+        allow_negative_numbers = true
+    )]
+    pub budget_px: Option<f64>,
+    /// Say which model would do for the budget (or for 0.1 px), which would not, and what they cost.
+    #[arg(long)]
+    pub explain: bool,
     /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,
@@ -69,9 +83,35 @@ pub struct DiffArgs {
     /// it the exit code is 1.
     #[arg(long, value_name = "PX", default_value_t = 0.002)]
     pub budget_px: f64,
+    /// Draw by the least model within the budget in place of the whole row.
+    #[arg(long)]
+    pub least: bool,
+    /// Say which model would do for the budget, which would not, and what they cost.
+    #[arg(long)]
+    pub explain: bool,
     /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,
+}
+
+/// Options of `viewer chart`.
+#[derive(Debug, Args)]
+pub struct ChartArgs {
+    /// Folder to write gpu.csv, gpu.svg and gpu.png to.
+    #[arg(short, long, value_name = "DIR", default_value = "chart")]
+    pub output: PathBuf,
+    /// Size of the picture [default: 1920x1080, with --quick 320x180].
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<(u32, u32)>,
+    /// Field of view across the picture, between 0 and 180.
+    #[arg(long, value_name = "DEG", default_value_t = View::default().fov_deg, allow_negative_numbers = true)]
+    pub fov: f64,
+    /// Radius of the camera, above 1 (the horizon).
+    #[arg(short, long, value_name = "R", default_value_t = View::default().radius, allow_negative_numbers = true)]
+    pub radius: f64,
+    /// A small picture and few rounds: seconds, to see that it works.
+    #[arg(long)]
+    pub quick: bool,
 }
 
 /// The scene and what draws it.

@@ -2,7 +2,7 @@
 
 use crate::camera::{Camera, Sight};
 use crate::cpu;
-use crate::deflect::closed_form;
+use crate::deflect::{closed_form, deflect};
 use crate::picture::Picture;
 use crate::scene::Scene;
 use glam::DVec3;
@@ -17,9 +17,14 @@ pub struct Reference {
     pixels: Vec<ReferencePixel>,
 }
 
+/// One pixel of it.
 #[derive(Debug, Clone, Copy)]
-struct ReferencePixel {
-    /// Direction in the hole frame and dθ′/dθ.
+pub struct ReferencePixel {
+    column: u32,
+    row: u32,
+    /// View direction in the hole frame.
+    view: DVec3,
+    /// Direction of the light in the hole frame, and dθ′/dθ.
     light: Fate<(DVec3, f64)>,
     /// |dθ/d pixel|, rad.
     gradient: f64,
@@ -47,6 +52,15 @@ pub enum PixelError {
 }
 
 impl PixelError {
+    /// The error on the sky, rad; `None` where the fates differ.
+    pub fn radians(&self) -> Option<f64> {
+        match *self {
+            PixelError::BothCaptured => Some(0.0),
+            PixelError::BothEscape { radians, .. } => Some(radians),
+            PixelError::OtherFate { .. } => None,
+        }
+    }
+
     /// The error in image space, pixels.
     pub fn pixels(&self) -> f64 {
         match *self {
@@ -60,23 +74,15 @@ impl Reference {
     /// The reference of a scene's camera. `row_done` is called after each row of pixels.
     pub fn new(scene: &Scene, row_done: impl Fn() + Sync) -> Self {
         let camera = scene.camera;
-        let lights = cpu::by_pixel(&camera, row_done, |direction| {
-            cpu::turned_direction(direction, |sight| closed_form(&scene.row, sight))
-        });
-        let edge = camera.observer.edge_angle();
-        let pixels = lights
+        let pixels = (0..camera.height)
             .into_par_iter()
-            .enumerate()
-            .map(|(index, light)| {
-                let column = (index % camera.width as usize) as u32;
-                let row = (index / camera.width as usize) as u32;
-                let gradient = camera.view_angle_gradient(column, row);
-                let angle = Sight::of(camera.direction(column, row)).angle();
-                ReferencePixel {
-                    light,
-                    gradient,
-                    edge_distance: (angle - edge).abs() / gradient,
-                }
+            .flat_map(|row| {
+                let columns = 0..camera.width;
+                let pixels: Vec<_> = columns
+                    .map(|column| ReferencePixel::new(scene, column, row))
+                    .collect();
+                row_done();
+                pixels
             })
             .collect();
         Reference { camera, pixels }
@@ -84,8 +90,7 @@ impl Reference {
 
     /// Number of pixels that see the horizon.
     pub fn captured(&self) -> usize {
-        let captured = |p: &&ReferencePixel| p.light == Fate::Captured;
-        self.pixels.iter().filter(captured).count()
+        self.pixels.iter().filter(|p| p.is_captured()).count()
     }
 
     /// The directions, row-major `[height][width]`.
@@ -104,6 +109,49 @@ impl Reference {
 }
 
 impl ReferencePixel {
+    /// Pixel (column, row) of the picture of `scene`, whose row is the table's.
+    pub fn new(scene: &Scene, column: u32, row: u32) -> Self {
+        let camera = &scene.camera;
+        let view = camera.direction(column, row);
+        let gradient = camera.view_angle_gradient(column, row);
+        let from_edge = Sight::of(view).angle() - camera.observer.edge_angle();
+        ReferencePixel {
+            column,
+            row,
+            view,
+            light: cpu::turned_direction(view, |sight| closed_form(&scene.row, sight)),
+            gradient,
+            edge_distance: from_edge.abs() / gradient,
+        }
+    }
+
+    /// Its (column, row).
+    pub fn at(&self) -> (u32, u32) {
+        (self.column, self.row)
+    }
+
+    /// |dθ/d pixel|, rad.
+    pub fn gradient(&self) -> f64 {
+        self.gradient
+    }
+
+    /// |θ − θ_c| in pixels.
+    pub fn edge_distance(&self) -> f64 {
+        self.edge_distance
+    }
+
+    /// Whether it sees the horizon.
+    pub fn is_captured(&self) -> bool {
+        self.light == Fate::Captured
+    }
+
+    /// The error here of the CPU's picture of `drawn`.
+    pub fn error_of(&self, drawn: &Scene) -> PixelError {
+        let direction = |(direction, _)| direction;
+        let light = cpu::turned_direction(self.view, |sight| deflect(drawn, sight));
+        self.error(&light.map(direction), &self.light.map(direction))
+    }
+
     fn error(&self, a: &Fate<DVec3>, b: &Fate<DVec3>) -> PixelError {
         match (a, b) {
             (Fate::Escapes(a), Fate::Escapes(b)) => {

@@ -1,9 +1,9 @@
 //! The picture of an error: image-space pixels in colour, by decades, with its key.
 
 use crate::diff::PixelError;
+use crate::font;
 use crate::picture::{PictureError, write_png};
 use plotters::prelude::*;
-use plotters::style::{FontStyle, register_font};
 use std::path::Path;
 
 /// Decades of the error that the colours span, as powers of ten of a pixel.
@@ -61,17 +61,11 @@ fn draw_key(
     (width, height): (u32, u32),
     what: &str,
 ) -> Result<(), Box<dyn std::error::Error>> {
-    // A font of our own: a bare machine has none.
-    register_font(
-        "sans-serif",
-        FontStyle::Normal,
-        epaint_default_fonts::UBUNTU_LIGHT,
-    )
-    .map_err(|_| "the built-in font cannot be read")?;
+    font::register()?;
     let top = (height - KEY) as i32;
     let strip = width as i32 - 2 * MARGIN;
     let area = BitMapBackend::with_buffer(canvas, (width, height)).into_drawing_area();
-    let text = |size: i32| ("sans-serif", size).into_font().color(&BLACK);
+    let text = |size: i32| (font::FAMILY, size).into_font().color(&BLACK);
     area.draw(&Text::new(what.to_owned(), (MARGIN, top + 8), text(20)))?;
     let caption = "pixels in image space; black: both captured, magenta: fates differ";
     area.draw(&Text::new(caption, (MARGIN, top + 30), text(18)))?;

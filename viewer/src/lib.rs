@@ -6,11 +6,14 @@
 //! their pictures is the table's error and nothing else.
 
 pub mod camera;
+pub mod chart;
 pub mod cpu;
 pub mod deflect;
 pub mod diff;
+mod font;
 pub mod gpu;
 pub mod heat_map;
+pub mod model;
 pub mod picture;
 pub mod scene;
 pub mod sky;

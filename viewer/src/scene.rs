@@ -23,6 +23,18 @@ impl Method {
     pub const DEFAULT_STEP: f64 = 0.05;
     /// The steps that make sense: f32 rounding drowns shorter ones, longer ones miss the hole.
     pub const STEPS: std::ops::RangeInclusive<f64> = 1e-3..=0.5;
+
+    /// Checks a step of direct integration, rad.
+    ///
+    /// # Errors
+    /// [`SceneError::Step`] outside [`Method::STEPS`].
+    pub fn check_step(step: f64) -> Result<(), SceneError> {
+        if Self::STEPS.contains(&step) {
+            Ok(())
+        } else {
+            Err(SceneError::Step { step })
+        }
+    }
 }
 
 /// A camera with the row that serves it.
@@ -64,10 +76,8 @@ impl Scene {
         if table.header().axis != Axis::Residual {
             return Err(SceneError::Axis(table.header().axis.name()));
         }
-        if let Method::Direct { step } = method
-            && !Method::STEPS.contains(&step)
-        {
-            return Err(SceneError::Step { step });
+        if let Method::Direct { step } = method {
+            Method::check_step(step)?;
         }
         Ok(Scene {
             camera,

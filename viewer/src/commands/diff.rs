@@ -1,7 +1,7 @@
 //! `viewer diff`: lookup against direct integration on the device at hand, and both against the closed
 //! form on the CPU.
 
-use super::{CommandError, Outcome, gpu, scene};
+use super::{CommandError, Outcome, gpu, least, scene};
 use crate::cli::DiffArgs;
 use crate::progress::Progress;
 use glam::DVec3;
@@ -17,16 +17,23 @@ use viewer::scene::{Method, Scene};
 use viewer::sky::{self, Sky};
 
 pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
-    if !(args.budget_px > 0.0 && args.budget_px.is_finite()) {
-        return Err(CommandError::Budget(args.budget_px));
-    }
+    least::check_budget(args.budget_px)?;
     Picture::check_path(&args.output)?;
     let step = args.scene.step;
     let direct = scene(&args.scene, Method::Direct { step })?;
-    let lut = direct.by(Method::Lut);
+    let mut lut = direct.by(Method::Lut);
     let sky = sky::load(&args.scene.sky)?;
     let gpu = gpu(args.scene.device)?;
     let reference = with_progress(&lut, |progress| Reference::new(&lut, || progress.step()));
+    if args.explain || args.least {
+        let choice = least::choice(&lut, args.budget_px, gpu.as_ref())?;
+        if args.explain {
+            least::print(&choice, &lut, step)?;
+        }
+        if args.least {
+            lut = least::scene_of(choice, &lut);
+        }
+    }
     let (lut, direct, device) = match &gpu {
         Some(gpu) => {
             let renderer = Renderer::new(gpu, &sky)?;

@@ -1,14 +1,18 @@
 //! The commands: arguments in, data to standard output, summaries to standard error.
 
+pub mod chart;
 pub mod diff;
+mod least;
 pub mod render;
 
 use crate::cli::{DeviceName, SceneArgs};
 use lensbake_tables::{ContainerError, Table, container, default_atlas};
 use std::borrow::Cow;
 use std::io;
+use std::path::PathBuf;
 use thiserror::Error;
 use viewer::camera::{Camera, CameraError};
+use viewer::chart::ChartError;
 use viewer::gpu::{Gpu, GpuError};
 use viewer::picture::PictureError;
 use viewer::scene::{Method, Scene, SceneError};
@@ -49,6 +53,12 @@ pub enum CommandError {
     /// The picture.
     #[error(transparent)]
     Picture(#[from] PictureError),
+    /// The chart.
+    #[error(transparent)]
+    Chart(#[from] ChartError),
+    /// A folder to write to.
+    #[error("{}: {_1}", _0.display())]
+    Folder(PathBuf, io::Error),
     /// A budget that is none.
     #[error("--budget-px {0} is not a positive number of pixels")]
     Budget(f64),

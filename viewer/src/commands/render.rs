@@ -1,11 +1,12 @@
 //! `viewer render`: a picture to a file.
 
-use super::{CommandError, Outcome, gpu, scene};
+use super::{CommandError, Outcome, gpu, least, scene};
 use crate::cli::{MethodName, RenderArgs};
 use crate::progress::Progress;
 use std::time::Instant;
 use viewer::cpu;
 use viewer::gpu::{Gpu, Renderer};
+use viewer::model::DEFAULT_BUDGET_PX;
 use viewer::picture::Picture;
 use viewer::scene::{Method, Scene};
 use viewer::sky::{self, Sky};
@@ -19,9 +20,24 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
         },
         MethodName::Flat => Method::Flat,
     };
-    let scene = scene(&args.scene, method)?;
+    let budget_px = args.budget_px.unwrap_or(DEFAULT_BUDGET_PX);
+    least::check_budget(budget_px)?;
+    let mut scene = scene(&args.scene, method)?;
     let sky = sky::load(&args.scene.sky)?;
     let gpu = gpu(args.scene.device)?;
+    let mut outcome = Outcome::Done;
+    if args.explain || args.budget_px.is_some() {
+        let choice = least::choice(&scene, budget_px, gpu.as_ref())?;
+        if args.explain {
+            least::print(&choice, &scene, args.scene.step)?;
+        }
+        if args.budget_px.is_some() {
+            if choice.chosen.is_none() {
+                outcome = Outcome::BudgetMissed;
+            }
+            scene = least::scene_of(choice, &scene);
+        }
+    }
     let started = Instant::now();
     let picture = match &gpu {
         Some(gpu) => on_gpu(gpu, &scene, &sky)?,
@@ -34,7 +50,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     );
     picture.write(&args.output)?;
     eprintln!("wrote {}", args.output.display());
-    Ok(Outcome::Done)
+    Ok(outcome)
 }
 
 fn on_gpu(gpu: &Gpu, scene: &Scene, sky: &Sky) -> Result<Picture, CommandError> {

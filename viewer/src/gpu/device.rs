@@ -63,7 +63,11 @@ impl Gpu {
             .map_err(|_| GpuError::NoAdapter)?;
         let info = adapter.get_info();
         let (device, queue) = adapter
-            .request_device(&DeviceDescriptor::default())
+            .request_device(&DeviceDescriptor {
+                // To time what is drawn, where the adapter can.
+                required_features: adapter.features() & Features::TIMESTAMP_QUERY,
+                ..Default::default()
+            })
             .await
             .map_err(|e| GpuError::NoDevice {
                 adapter: info.name.clone(),
@@ -87,6 +91,16 @@ impl Gpu {
     /// The adapter's name and backend.
     pub fn name(&self) -> String {
         format!("{} ({})", self.info.name, self.info.backend)
+    }
+
+    /// Whether the adapter is software: the CPU in disguise.
+    pub fn is_software(&self) -> bool {
+        self.info.device_type == DeviceType::Cpu
+    }
+
+    /// Whether it can note the time at which work begins and ends on it.
+    pub fn has_timestamps(&self) -> bool {
+        self.device.features().contains(Features::TIMESTAMP_QUERY)
     }
 
     /// Waits until all submitted work is done.

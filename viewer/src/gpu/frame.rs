@@ -58,11 +58,12 @@ impl Frame {
 mod tests {
     use super::*;
     use crate::gpu::shader::{Output, shader_source};
+    use lensbake_tables::Interpolation;
     use std::mem::offset_of;
 
     #[test]
     fn the_layout_is_the_shaders() {
-        let source = shader_source(Method::Flat, Output::Trace, 64);
+        let source = shader_source(Method::Flat, Output::Trace, 64, Interpolation::Hermite);
         let module = naga::front::wgsl::parse_str(&source).unwrap();
         let (members, span) = module
             .types

@@ -1,0 +1,270 @@
+//! The figure: error in image space against time a ray, log–log, with the Pareto front.
+
+use super::plane::{Area, BOTTOM, DARK, GREY, LEFT, Plane, RIGHT, TOP, text};
+use super::{Chart, Entry, Family, front};
+use crate::font;
+use crate::picture::{PictureError, write_png};
+use lensbake_tables::container::write_whole;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::error::Error;
+use std::path::Path;
+
+const SIZE: (u32, u32) = (1600, 1000);
+/// Least distance between the labels of a family, pixels.
+const LINE: i32 = 28;
+/// Distance of a label from its mark and the bar of its spread, pixels.
+const ASIDE: i32 = 24;
+/// From the middle of a line of text to what looks like its middle, pixels.
+const LETTERS: i32 = 4;
+
+/// Writes the figure as an SVG and as a PNG file, each whole or not at all.
+///
+/// # Errors
+/// [`PictureError`] names the file and what is wrong.
+pub fn write(chart: &Chart, svg: &Path, png: &Path) -> Result<(), PictureError> {
+    let mut drawing = String::new();
+    let backend = SVGBackend::with_string(&mut drawing, SIZE);
+    draw(chart, &backend.into_drawing_area()).map_err(|e| PictureError::new(svg, e))?;
+    write_whole(svg, drawing.as_bytes()).map_err(|e| PictureError::new(svg, e))?;
+    let (width, height) = SIZE;
+    let mut pixels = vec![0; 3 * width as usize * height as usize];
+    let backend = BitMapBackend::with_buffer(&mut pixels, SIZE);
+    draw(chart, &backend.into_drawing_area()).map_err(|e| PictureError::new(png, e))?;
+    write_png(png, width, height, &pixels)
+}
+
+/// A method at its pixel.
+struct Mark<'a> {
+    entry: &'a Entry,
+    at: (i32, i32),
+    /// The ends of the bar that shows the spread of its time.
+    bar: [(i32, i32); 2],
+}
+
+impl<'a> Mark<'a> {
+    fn new(entry: &'a Entry, plane: &Plane) -> Self {
+        let (time, error) = (entry.times.best(), entry.errors.pixels.max);
+        let spread = time.spread.min(0.9);
+        let end = |sign: f64| plane.at(time.ns * (1.0 + sign * spread), error);
+        Mark {
+            entry,
+            at: plane.at(time.ns, error),
+            bar: [end(-1.0), end(1.0)],
+        }
+    }
+}
+
+fn draw<DB: DrawingBackend>(chart: &Chart, area: &Area<DB>) -> Result<(), Box<dyn Error>>
+where
+    DB::ErrorType: 'static,
+{
+    font::register()?;
+    area.fill(&WHITE)?;
+    draw_title(chart, area)?;
+    let point = |entry: &Entry| (entry.ns(), entry.errors.pixels.max);
+    let points: Vec<_> = chart.entries.iter().map(point).collect();
+    let plane = Plane::around(&points);
+    let clock = if chart.entries.iter().all(|e| e.times.gpu.is_some()) {
+        "time a ray by the device's timestamps, ns"
+    } else {
+        "time a ray by the wall clock, ns"
+    };
+    plane.draw(area, clock, "largest error in image space, pixels")?;
+    draw_front(area, &plane, &points)?;
+    for family in Family::ALL {
+        let marks: Vec<Mark> = chart
+            .entries
+            .iter()
+            .filter(|entry| entry.family == family)
+            .map(|entry| Mark::new(entry, &plane))
+            .collect();
+        draw_family(area, family, &marks)?;
+    }
+    draw_legend(area)?;
+    area.present()?;
+    Ok(())
+}
+
+fn draw_title<DB: DrawingBackend>(chart: &Chart, area: &Area<DB>) -> Result<(), Box<dyn Error>>
+where
+    DB::ErrorType: 'static,
+{
+    let (width, height) = chart.size;
+    let title = format!("One frame on {}", chart.adapter);
+    area.draw(&Text::new(title, (LEFT, 26), text(36)))?;
+    let kind = if chart.software {
+        " — drawn by the CPU: no GPU's times"
+    } else {
+        ""
+    };
+    let subtitle = format!(
+        "{width} × {height}, camera at r = {}, median of {} rounds{kind}",
+        chart.radius, chart.rounds
+    );
+    area.draw(&Text::new(subtitle, (LEFT, 78), text(28).color(&GREY)))?;
+    Ok(())
+}
+
+/// The front as a staircase, out to the right-hand side.
+fn draw_front<DB: DrawingBackend>(
+    area: &Area<DB>,
+    plane: &Plane,
+    points: &[(f64, f64)],
+) -> Result<(), Box<dyn Error>>
+where
+    DB::ErrorType: 'static,
+{
+    let mut stairs: Vec<(i32, i32)> = Vec::new();
+    for index in front(points) {
+        let (x, y) = plane.at(points[index].0, points[index].1);
+        let above = stairs.last().map_or(TOP, |last| last.1);
+        stairs.extend([(x, above), (x, y)]);
+    }
+    let Some(&(_, lowest)) = stairs.last() else {
+        return Ok(());
+    };
+    stairs.push((RIGHT, lowest));
+    area.draw(&PathElement::new(stairs, FRONT.stroke_width(6)))?;
+    Ok(())
+}
+
+fn draw_family<DB: DrawingBackend>(
+    area: &Area<DB>,
+    family: Family,
+    marks: &[Mark],
+) -> Result<(), Box<dyn Error>>
+where
+    DB::ErrorType: 'static,
+{
+    let colour = colour(family);
+    let way: Vec<_> = marks.iter().map(|mark| mark.at).collect();
+    area.draw(&PathElement::new(way, colour.stroke_width(2)))?;
+    for mark in marks {
+        area.draw(&PathElement::new(mark.bar.to_vec(), colour.stroke_width(4)))?;
+        draw_mark(area, family, mark.at)?;
+    }
+    draw_labels(area, family, marks)
+}
+
+fn draw_mark<DB: DrawingBackend>(
+    area: &Area<DB>,
+    family: Family,
+    at: (i32, i32),
+) -> Result<(), Box<dyn Error>>
+where
+    DB::ErrorType: 'static,
+{
+    let style = colour(family).filled();
+    match family {
+        Family::Hermite => area.draw(&Circle::new(at, 9, style))?,
+        Family::Linear => area.draw(&TriangleMarker::new(at, 12, style))?,
+        Family::Direct => {
+            let (x, y) = at;
+            let diamond = vec![(x - 12, y), (x, y - 12), (x + 12, y), (x, y + 12)];
+            area.draw(&Polygon::new(diamond, style))?;
+        }
+        Family::Flat => {
+            let (x, y) = at;
+            area.draw(&Rectangle::new([(x - 9, y - 9), (x + 9, y + 9)], style))?;
+        }
+    }
+    Ok(())
+}
+
+/// The labels of a family beside its marks, moved apart where they would hide each other.
+fn draw_labels<DB: DrawingBackend>(
+    area: &Area<DB>,
+    family: Family,
+    marks: &[Mark],
+) -> Result<(), Box<dyn Error>>
+where
+    DB::ErrorType: 'static,
+{
+    let (side, anchor) = match family {
+        Family::Linear => (-1, HPos::Right),
+        Family::Hermite | Family::Direct | Family::Flat => (1, HPos::Left),
+    };
+    let colour = colour(family);
+    let style = text(26).color(&colour).pos(Pos::new(anchor, VPos::Center));
+    let mut marks: Vec<&Mark> = marks.iter().collect();
+    marks.sort_by_key(|mark| mark.at.1);
+    let heights = apart(&marks.iter().map(|mark| mark.at.1).collect::<Vec<_>>());
+    for (mark, y) in marks.into_iter().zip(heights) {
+        let [left, right] = mark.bar;
+        let end = if side < 0 { left } else { right };
+        let beside_mark = mark.at.0 + side * 12;
+        let x = side * (side * end.0).max(side * beside_mark) + side * ASIDE;
+        let leader = vec![(x - side * (ASIDE - 4), mark.at.1), (x - side * 6, y)];
+        area.draw(&PathElement::new(leader, colour.stroke_width(1)))?;
+        let name = mark.entry.name.clone();
+        area.draw(&Text::new(name, (x, y + LETTERS), style.clone()))?;
+    }
+    Ok(())
+}
+
+/// Heights that follow the given ones, which rise, but are [`LINE`] apart and above the floor.
+fn apart(heights: &[i32]) -> Vec<i32> {
+    let mut placed: Vec<i32> = Vec::new();
+    for &height in heights {
+        let least = placed.last().map_or(height, |last| last + LINE);
+        placed.push(height.max(least));
+    }
+    let mut floor = BOTTOM - LINE / 2;
+    for height in placed.iter_mut().rev() {
+        *height = floor.min(*height);
+        floor = *height - LINE;
+    }
+    placed
+}
+
+fn draw_legend<DB: DrawingBackend>(area: &Area<DB>) -> Result<(), Box<dyn Error>>
+where
+    DB::ErrorType: 'static,
+{
+    let (left, top) = (RIGHT - 330, TOP + 24);
+    let style = text(26).pos(Pos::new(HPos::Left, VPos::Center));
+    for (line, family) in Family::ALL.into_iter().enumerate() {
+        let y = top + 16 + 38 * line as i32;
+        draw_mark(area, family, (left, y))?;
+        area.draw(&Text::new(
+            family.name(),
+            (left + 30, y + LETTERS),
+            style.clone(),
+        ))?;
+    }
+    let y = top + 16 + 38 * Family::ALL.len() as i32;
+    let way = vec![(left - 14, y), (left + 14, y)];
+    area.draw(&PathElement::new(way, FRONT.stroke_width(6)))?;
+    area.draw(&Text::new(
+        "no method beats these",
+        (left + 30, y + LETTERS),
+        style,
+    ))?;
+    Ok(())
+}
+
+const FRONT: RGBColor = RGBColor(184, 218, 190);
+
+fn colour(family: Family) -> RGBColor {
+    match family {
+        Family::Hermite => RGBColor(207, 34, 46),
+        Family::Linear => RGBColor(188, 76, 0),
+        Family::Direct => RGBColor(9, 105, 218),
+        Family::Flat => DARK,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_are_moved_apart_and_stay_within() {
+        let heights = apart(&[200, 205, 400, BOTTOM - 2, BOTTOM - 1]);
+        assert_eq!(heights[0], 200);
+        assert_eq!(heights[2], 400);
+        assert!(heights.windows(2).all(|pair| pair[1] - pair[0] >= LINE));
+        assert!(heights.iter().all(|&h| h < BOTTOM));
+    }
+}

@@ -1,0 +1,188 @@
+//! What a model costs, counted and not timed: counts are the same on every machine.
+
+use crate::gpu::Frame;
+use crate::scene::{Method, Scene};
+use lensbake_tables::Interpolation;
+use std::f64::consts::PI;
+use std::fmt;
+
+/// The cost of a scene's picture for the part that differs by model: who turns the light. Camera and
+/// sky come on top and are the same for all.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Cost {
+    /// Bytes uploaded for a frame: the uniform block, and the row if there is one.
+    pub bytes: usize,
+    /// Texels loaded a ray.
+    pub loads: u32,
+    /// Arithmetic operations a ray in the shader's `deflect` and all it calls, as written: an operation
+    /// on a vector, a function and a selection count once, and a ray integrates over half a turn.
+    pub operations: u32,
+}
+
+/// Operations of the shaders, to which a test holds these numbers.
+mod operations {
+    pub const FLAT: u32 = 2;
+    pub const LINEAR: u32 = 82;
+    pub const HERMITE: u32 = 99;
+    /// Before and after the steps of direct integration.
+    pub const DIRECT: u32 = 76;
+    /// One step of it.
+    pub const STEP: u32 = 31;
+}
+
+impl Cost {
+    /// Of drawing `scene` on a GPU.
+    pub fn of(scene: &Scene) -> Self {
+        let uniform = size_of::<Frame>();
+        match scene.method {
+            Method::Flat => Cost {
+                bytes: uniform,
+                loads: 0,
+                operations: operations::FLAT,
+            },
+            Method::Direct { step } => Cost {
+                bytes: uniform,
+                loads: 0,
+                operations: operations::DIRECT + operations::STEP * (PI / step).ceil() as u32,
+            },
+            Method::Lut => Cost {
+                bytes: uniform + scene.row.gpu_bytes(),
+                loads: 2,
+                operations: match scene.row.interpolation() {
+                    Interpolation::Linear => operations::LINEAR,
+                    Interpolation::Hermite => operations::HERMITE,
+                },
+            },
+        }
+    }
+}
+
+impl fmt::Display for Cost {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(
+            f,
+            "{:5} bytes a frame, {} loads and {:4} operations a ray",
+            self.bytes, self.loads, self.operations
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::{Output, shader_source};
+    use naga::{Block, Expression, Function, Handle, Module, Statement};
+
+    /// Operations outside and inside loops, and texel loads, of a function and those it calls.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    struct Count {
+        outside: u32,
+        inside: u32,
+        loads: u32,
+    }
+
+    struct Counter<'a> {
+        module: &'a Module,
+        function: &'a Function,
+        count: Count,
+    }
+
+    fn count(module: &Module, function: &Function) -> Count {
+        let mut counter = Counter {
+            module,
+            function,
+            count: Count::default(),
+        };
+        counter.block(&function.body, false);
+        counter.count
+    }
+
+    impl Counter<'_> {
+        fn block(&mut self, block: &Block, in_loop: bool) {
+            for statement in block {
+                match statement {
+                    Statement::Emit(range) => {
+                        for handle in range.clone() {
+                            self.expression(handle, in_loop);
+                        }
+                    }
+                    Statement::Block(block) => self.block(block, in_loop),
+                    Statement::If { accept, reject, .. } => {
+                        self.block(accept, in_loop && !ends_the_ray(accept));
+                        self.block(reject, in_loop);
+                    }
+                    Statement::Loop {
+                        body, continuing, ..
+                    } => {
+                        self.block(body, true);
+                        self.block(continuing, true);
+                    }
+                    Statement::Call { function, .. } => {
+                        let called = count(self.module, &self.module.functions[*function]);
+                        self.add(called.outside + called.inside, in_loop);
+                        self.count.loads += called.loads;
+                    }
+                    _ => (),
+                }
+            }
+        }
+
+        fn expression(&mut self, handle: Handle<Expression>, in_loop: bool) {
+            match &self.function.expressions[handle] {
+                Expression::Binary { .. }
+                | Expression::Unary { .. }
+                | Expression::Math { .. }
+                | Expression::Select { .. } => self.add(1, in_loop),
+                Expression::ImageLoad { .. } => self.count.loads += 1,
+                _ => (),
+            }
+        }
+
+        fn add(&mut self, operations: u32, in_loop: bool) {
+            if in_loop {
+                self.count.inside += operations;
+            } else {
+                self.count.outside += operations;
+            }
+        }
+    }
+
+    /// What a loop does once, when the ray ends, is not of its steps.
+    fn ends_the_ray(block: &Block) -> bool {
+        block.iter().any(|s| matches!(s, Statement::Return { .. }))
+    }
+
+    fn counted(method: Method, interpolation: Interpolation) -> Count {
+        let source = shader_source(method, Output::Trace, 64, interpolation);
+        let module = naga::front::wgsl::parse_str(&source).unwrap();
+        let deflect = module
+            .functions
+            .iter()
+            .find(|(_, f)| f.name.as_deref() == Some("deflect"))
+            .unwrap()
+            .1;
+        count(&module, deflect)
+    }
+
+    #[test]
+    fn the_costs_are_those_of_the_shaders() {
+        let flat = counted(Method::Flat, Interpolation::Hermite);
+        let linear = counted(Method::Lut, Interpolation::Linear);
+        let hermite = counted(Method::Lut, Interpolation::Hermite);
+        let direct = counted(Method::Direct { step: 0.1 }, Interpolation::Hermite);
+        let known = |outside, inside, loads| Count {
+            outside,
+            inside,
+            loads,
+        };
+        assert_eq!(
+            [flat, linear, hermite, direct],
+            [
+                known(operations::FLAT, 0, 0),
+                known(operations::LINEAR, 0, 2),
+                known(operations::HERMITE, 0, 2),
+                known(operations::DIRECT, operations::STEP, 0),
+            ]
+        );
+    }
+}
