@@ -182,8 +182,8 @@ where
     DB::ErrorType: 'static,
 {
     let (side, anchor) = match family {
-        Family::Linear => (-1, HPos::Right),
-        Family::Hermite | Family::Direct | Family::Flat => (1, HPos::Left),
+        Family::Linear | Family::Flat => (-1, HPos::Right),
+        Family::Hermite | Family::Direct => (1, HPos::Left),
     };
     let colour = colour(family);
     let style = text(26).color(&colour).pos(Pos::new(anchor, VPos::Center));

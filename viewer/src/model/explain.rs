@@ -16,7 +16,7 @@ pub fn explain(choice: &Choice, scene: &Scene, step: f64) -> String {
     }
     if let (Some(first), Some(last)) = (choice.not_needed.first(), choice.not_needed.last()) {
         let models = format!("{first} … {last}");
-        text += &line("not needed", &models, "dearer", "");
+        text += &line("not needed", "dearer:", &models, "");
     }
     let direct = Model::Direct { step };
     let cost = Cost::of(&scene.by(Method::Direct { step }));
