@@ -182,8 +182,8 @@ where
     DB::ErrorType: 'static,
 {
     let (side, anchor) = match family {
-        Family::Linear => (-1, HPos::Right),
-        Family::Hermite | Family::Direct | Family::Flat => (1, HPos::Left),
+        Family::Linear | Family::Flat => (-1, HPos::Right),
+        Family::Hermite | Family::Direct => (1, HPos::Left),
     };
     let colour = colour(family);
     let style = text(26).color(&colour).pos(Pos::new(anchor, VPos::Center));
@@ -198,8 +198,25 @@ where
         let leader = vec![(x - side * (ASIDE - 4), mark.at.1), (x - side * 6, y)];
         area.draw(&PathElement::new(leader, colour.stroke_width(1)))?;
         let name = mark.entry.name.clone();
+        draw_ground(area, (x, y), side, area.estimate_text_size(&name, &style)?)?;
         area.draw(&Text::new(name, (x, y + LETTERS), style.clone()))?;
     }
+    Ok(())
+}
+
+/// White ground for a label of this size that begins at a point and goes to one side of it.
+fn draw_ground<DB: DrawingBackend>(
+    area: &Area<DB>,
+    (x, y): (i32, i32),
+    side: i32,
+    (width, height): (u32, u32),
+) -> Result<(), Box<dyn Error>>
+where
+    DB::ErrorType: 'static,
+{
+    let (far, half) = (x + side * width as i32, height as i32 / 2);
+    let corners = [(x.min(far), y - half), (x.max(far), y + half)];
+    area.draw(&Rectangle::new(corners, WHITE.filled()))?;
     Ok(())
 }
 

@@ -6,37 +6,48 @@ use crate::scene::{Method, Scene};
 /// The choice as a table for people; `scene` is the one it was made for, `step` (rad) that of the
 /// direct integration that was not asked for.
 pub fn explain(choice: &Choice, scene: &Scene, step: f64) -> String {
-    let camera = &scene.camera;
-    let numbers = match choice.precision {
-        Precision::F32 => "f32",
-        Precision::F64 => "f64",
-    };
-    let mut text = format!(
-        "least model within {} px of {} x {} pixels, judged at {} of {}; {numbers} rounds to {:.1e} px\n",
-        choice.budget_px,
-        camera.width,
-        camera.height,
-        choice.samples,
-        camera.pixels(),
-        choice.rounding_px,
-    );
+    let mut text = heading(choice, scene);
     for candidate in &choice.left_out {
         text += &tried("left out", candidate);
     }
     match &choice.chosen {
         Some(candidate) => text += &tried("chosen", candidate),
-        None => text += "none       the whole row does not keep the budget either\n",
+        None => text += &line("none", "", "the whole row breaks the budget too", ""),
     }
     if let (Some(first), Some(last)) = (choice.not_needed.first(), choice.not_needed.last()) {
-        text += &format!("{:11}{first} … {last}: dearer\n", "not needed");
+        let models = format!("{first} … {last}");
+        text += &line("not needed", "dearer:", &models, "");
     }
     let direct = Model::Direct { step };
     let cost = Cost::of(&scene.by(Method::Direct { step }));
-    text += &format!(
-        "{:11}{direct:20}{:45}{cost}\n",
-        "not asked", "drawn only with --method direct"
-    );
-    text
+    text + &line(
+        "not asked",
+        &direct.to_string(),
+        "drawn only with --method direct",
+        &cost.to_string(),
+    )
+}
+
+fn heading(choice: &Choice, scene: &Scene) -> String {
+    let camera = &scene.camera;
+    let numbers = match choice.precision {
+        Precision::F32 => "f32",
+        Precision::F64 => "f64",
+    };
+    format!(
+        "least model within {} px of {} x {} pixels, judged at {} of {}; {numbers} rounds to {} px\n",
+        choice.budget_px,
+        camera.width,
+        camera.height,
+        choice.samples,
+        camera.pixels(),
+        two_digits(choice.rounding_px),
+    ) + &line(
+        "",
+        "model",
+        "largest error, at pixel",
+        "cost of the bending",
+    )
 }
 
 fn tried(verdict: &str, candidate: &Candidate) -> String {
@@ -46,11 +57,60 @@ fn tried(verdict: &str, candidate: &Candidate) -> String {
         None => "other fate".to_owned(),
     };
     let (column, row) = prediction.worst;
-    format!(
-        "{verdict:11}{:20}{:.1e} px, {radians:11} at {:13} {}\n",
-        candidate.model,
-        prediction.pixels,
-        format!("({column}, {row})"),
-        Cost::of(&candidate.scene)
-    )
+    let error = format!(
+        "{:>7} px, {radians:10} ({column}, {row})",
+        two_digits(prediction.pixels)
+    );
+    let cost = Cost::of(&candidate.scene).to_string();
+    line(verdict, &candidate.model.to_string(), &error, &cost)
+}
+
+fn line(verdict: &str, model: &str, error: &str, cost: &str) -> String {
+    let line = format!("{verdict:11}{model:20}{error:37}{cost}");
+    line.trim_end().to_owned() + "\n"
+}
+
+/// A positive number with two digits that count, written out where it is neither tiny nor huge.
+fn two_digits(value: f64) -> String {
+    if value == 0.0 {
+        "0".to_owned()
+    } else if (1e-3..1e5).contains(&value) {
+        let decimals = (1.0 - value.log10().floor()).max(0.0) as usize;
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.1e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::{Camera, View};
+    use crate::model::choose;
+    use lensbake_tables::default_atlas;
+
+    #[test]
+    fn numbers_are_written_for_people() {
+        let written = [0.0, 184.2, 6.54, 0.0331, 1e-5, 3e7].map(two_digits);
+        assert_eq!(written, ["0", "184", "6.5", "0.033", "1.0e-5", "3.0e7"]);
+    }
+
+    #[test]
+    fn every_model_has_its_line() {
+        let camera = Camera::new(&View {
+            width: 64,
+            height: 36,
+            ..View::default()
+        });
+        let scene = Scene::new(camera.unwrap(), default_atlas(), Method::Lut).unwrap();
+        for budget_px in [0.1, 1e-9] {
+            let choice = choose(&scene, budget_px, Precision::F64).unwrap();
+            let text = explain(&choice, &scene, 0.05);
+            let lines = |verdict| text.lines().filter(|l| l.starts_with(verdict)).count();
+            assert_eq!(lines("left out"), choice.left_out.len(), "{text}");
+            assert_eq!(lines("chosen"), usize::from(choice.chosen.is_some()));
+            assert_eq!(lines("none"), usize::from(choice.chosen.is_none()));
+            assert_eq!(lines("not asked"), 1);
+        }
+    }
 }
