@@ -17,7 +17,7 @@ has_vulkan_loader() {
 if [ "$(uname)" = Linux ] && ! { has_vulkan_driver && has_vulkan_loader; }; then
     if ! command -v apt-get >/dev/null; then
         echo "test.sh: no Vulkan driver: install one, or run" \
-            "cargo test --workspace --features lensbake-tests/no-gpu" >&2
+            "cargo test --workspace --features lensbake-tests/no-gpu,viewer/no-gpu" >&2
         exit 2
     fi
     as_root=""

@@ -3,8 +3,6 @@
 pub mod baker;
 pub mod chart;
 pub mod diff;
-pub mod drawing;
-pub mod font;
 pub mod measure;
 pub mod methods;
 pub mod plot;

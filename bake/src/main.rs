@@ -2,20 +2,17 @@
 
 mod cli;
 mod commands;
-mod progress;
 
 use cli::{Cli, Command};
-use commands::{CommandError, Outcome};
-use std::io;
+use lensbake_report::{Outcome, arguments};
 use std::process::ExitCode;
 
+const PROGRAM: &str = "bake";
+
 fn main() -> ExitCode {
-    let cli = match Cli::read() {
+    let cli: Cli = match arguments::read() {
         Ok(cli) => cli,
-        Err(line) => {
-            eprintln!("bake: {line}");
-            return ExitCode::from(2);
-        }
+        Err(line) => return Outcome::end(PROGRAM, Err(line)),
     };
     let outcome = match cli.command {
         None => commands::bake::run(&cli.bake),
@@ -27,19 +24,8 @@ fn main() -> ExitCode {
         Some(Command::Stability(args)) => commands::stability::run(&args),
     };
     match outcome {
-        Ok(Outcome::Done) => ExitCode::SUCCESS,
-        Ok(Outcome::BudgetMissed | Outcome::ClaimMissed) => ExitCode::from(1),
+        // The reader of our output has gone, as `head` does: no error of the user's.
         Err(error) if error.is_broken_pipe() => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("bake: {error}");
-            ExitCode::from(2)
-        }
-    }
-}
-
-impl CommandError {
-    /// Whether the reader of our output has gone, as `head` does: no error of the user's.
-    fn is_broken_pipe(&self) -> bool {
-        matches!(self, CommandError::Stdout(e) if e.kind() == io::ErrorKind::BrokenPipe)
+        outcome => Outcome::end(PROGRAM, outcome),
     }
 }

@@ -1,7 +1,7 @@
 //! The figure of `bake diff`: a table's error along the edge coordinate.
 
 use crate::diff::Diff;
-use crate::font;
+use lensbake_report::drawing;
 use plotters::prelude::*;
 use std::error::Error;
 
@@ -17,7 +17,7 @@ const BINS: usize = 120;
 /// # Errors
 /// What the drawing library says.
 pub fn error_figure(diff: &Diff, budget: f64, title: &str) -> Result<String, Box<dyn Error>> {
-    font::register();
+    drawing::register_font();
     let bins = largest_by_bin(diff);
     let ceiling = bins.iter().fold(budget, |a, b| a.max(b.1)).min(1e3) * 3.0;
     let mut svg = String::new();

@@ -86,7 +86,9 @@ pub fn workspace() -> &'static Path {
 /// Without one: nothing skips quietly. `--features no-gpu` makes the tests that call this visible
 /// ignored ones.
 pub fn gpu() -> Gpu {
-    Gpu::open().unwrap_or_else(|e| panic!("{e}; or test with --features lensbake-tests/no-gpu"))
+    Gpu::open().unwrap_or_else(|e| {
+        panic!("{e}; or test with --features lensbake-tests/no-gpu,viewer/no-gpu")
+    })
 }
 
 impl Run {

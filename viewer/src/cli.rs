@@ -1,6 +1,5 @@
 //! The command line.
 
-use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 use viewer::camera::View;
@@ -17,23 +16,6 @@ pub struct Cli {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
-}
-
-impl Cli {
-    /// The command line. Help, and typos with their hints, are shown at once and end the program.
-    ///
-    /// # Errors
-    /// One line that names the option whose value is wrong, and says why.
-    pub fn read() -> Result<Self, String> {
-        Cli::try_parse().map_err(|error| {
-            if error.kind() != ErrorKind::ValueValidation {
-                error.exit();
-            }
-            let text = error.to_string();
-            let line = text.lines().next().unwrap_or_default();
-            line.trim_start_matches("error: ").to_owned()
-        })
-    }
 }
 
 /// What to do.

@@ -1,8 +1,8 @@
 //! The picture of an error: image-space pixels in colour, by decades, with its key.
 
 use crate::diff::PixelError;
-use crate::font;
 use crate::picture::{PictureError, write_png};
+use lensbake_report::drawing::{self, text};
 use plotters::prelude::*;
 use std::path::Path;
 
@@ -61,11 +61,10 @@ fn draw_key(
     (width, height): (u32, u32),
     what: &str,
 ) -> Result<(), Box<dyn std::error::Error>> {
-    font::register()?;
+    drawing::register_font();
     let top = (height - KEY) as i32;
     let strip = width as i32 - 2 * MARGIN;
     let area = BitMapBackend::with_buffer(canvas, (width, height)).into_drawing_area();
-    let text = |size: i32| (font::FAMILY, size).into_font().color(&BLACK);
     area.draw(&Text::new(what.to_owned(), (MARGIN, top + 8), text(20)))?;
     let caption = "pixels in image space; black: both captured, magenta: fates differ";
     area.draw(&Text::new(caption, (MARGIN, top + 30), text(18)))?;

@@ -10,7 +10,6 @@ pub mod chart;
 pub mod cpu;
 pub mod deflect;
 pub mod diff;
-mod font;
 pub mod gpu;
 pub mod heat_map;
 pub mod model;

@@ -2,31 +2,22 @@
 
 mod cli;
 mod commands;
-mod progress;
 
 use cli::{Cli, Command};
-use commands::Outcome;
+use lensbake_report::{Outcome, arguments};
 use std::process::ExitCode;
 
+const PROGRAM: &str = "viewer";
+
 fn main() -> ExitCode {
-    let cli = match Cli::read() {
+    let cli: Cli = match arguments::read() {
         Ok(cli) => cli,
-        Err(line) => {
-            eprintln!("viewer: {line}");
-            return ExitCode::from(2);
-        }
+        Err(line) => return Outcome::end(PROGRAM, Err(line)),
     };
     let outcome = match cli.command {
         Command::Render(args) => commands::render::run(&args),
         Command::Chart(args) => commands::chart::run(&args),
         Command::Diff(args) => commands::diff::run(&args),
     };
-    match outcome {
-        Ok(Outcome::Done) => ExitCode::SUCCESS,
-        Ok(Outcome::BudgetMissed) => ExitCode::from(1),
-        Err(error) => {
-            eprintln!("viewer: {error}");
-            ExitCode::from(2)
-        }
-    }
+    Outcome::end(PROGRAM, outcome)
 }

@@ -2,7 +2,7 @@
 
 use super::rays::Watcher;
 use super::{Entry, Section};
-use lensbake_tables::statistics::ErrorStatistics;
+use lensbake_report::csv::{quoted, statistics};
 
 const HEAD: &str = "observer,family,name,knobs,source,bytes,ns_per_ray,ns_spread,\
                     max_rad,p999_rad,rms_rad,median_on_sky_rad,max_px,p999_px,rms_px,lost_rays";
@@ -41,29 +41,4 @@ fn line(observer: &str, entry: &Entry) -> String {
         statistics(&entry.pixels),
         entry.lost,
     )
-}
-
-fn statistics(errors: &ErrorStatistics) -> String {
-    let ErrorStatistics { max, p999, rms } = errors;
-    format!("{max:.3e},{p999:.3e},{rms:.3e}")
-}
-
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn commas_and_quotes_are_quoted() {
-        assert_eq!(quoted("plain"), "plain");
-        assert_eq!(quoted("a, b"), "\"a, b\"");
-        assert_eq!(quoted("say \"a\""), "\"say \"\"a\"\"\"");
-    }
 }

@@ -5,8 +5,8 @@ use super::marks::{Kind, Mark, draw_curves, draw_mark, place_labels};
 use super::plane::{Decades, Plane};
 use super::rays::Watcher;
 use super::{Entry, Section, pareto};
-use crate::drawing::{Area, Figure, Ink, text};
 use crate::methods::Family;
+use lensbake_report::drawing::{Area, Figure, Ink, text};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;
@@ -271,7 +271,7 @@ impl ChartFigure<'_> {
 mod tests {
     use super::*;
     use crate::chart::{Effort, measure};
-    use crate::drawing::{png, svg};
+    use lensbake_report::drawing::{png, svg};
 
     #[test]
     fn the_figure_names_the_methods_that_readers_look_for() {

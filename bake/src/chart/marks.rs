@@ -2,8 +2,8 @@
 
 use super::Entry;
 use super::labels::{Frame, Labels};
-use crate::drawing::{Area, Ink, text};
 use crate::methods::Family;
+use lensbake_report::drawing::{Area, Ink, text};
 use plotters::prelude::*;
 use std::collections::BTreeMap;
 use std::error::Error;

@@ -4,15 +4,11 @@ use super::{Entry, Section};
 
 /// Indices of the entries that no other beats in both time and `error`, fastest first.
 pub fn front(entries: &[Entry], error: impl Fn(&Entry) -> f64) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..entries.len()).collect();
-    order.sort_by(|&a, &b| entries[a].ns.total_cmp(&entries[b].ns));
-    let mut least = f64::INFINITY;
-    order.retain(|&i| {
-        let better = error(&entries[i]) < least;
-        least = least.min(error(&entries[i]));
-        better
-    });
-    order
+    let points: Vec<_> = entries
+        .iter()
+        .map(|entry| (entry.ns, error(entry)))
+        .collect();
+    lensbake_report::front(&points)
 }
 
 /// The entries that beat the first, the default row: smaller in the largest error (rad, what a table's

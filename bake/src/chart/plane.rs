@@ -1,7 +1,7 @@
 //! The log–log plane of the chart: its map to pixels, its axes and its grid.
 
 use super::labels::Frame;
-use crate::drawing::{Area, Ink, text};
+use lensbake_report::drawing::{Area, Ink, text};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;

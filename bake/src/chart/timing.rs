@@ -3,17 +3,9 @@
 
 use super::Effort;
 use crate::methods::{Launch, Method};
+use lensbake_report::Time;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
-
-/// Time a ray.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Time {
-    /// Median over the rounds, ns.
-    pub ns: f64,
-    /// Relative spread: 1.48 × the median absolute deviation, over the median.
-    pub spread: f64,
-}
 
 /// Times `methods` on `launches`, on the calling thread; `step` is called after each round.
 pub fn interleaved(
@@ -53,32 +45,9 @@ fn batch(method: &dyn Method, launches: &[Launch], repeats: u32) -> Duration {
     started.elapsed()
 }
 
-impl Time {
-    fn of(times: &[f64]) -> Self {
-        let ns = median(times.to_vec());
-        let deviation = median(times.iter().map(|t| (t - ns).abs()).collect());
-        Time {
-            ns,
-            spread: 1.48 * deviation / ns,
-        }
-    }
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_unstable_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn one_slow_round_changes_neither_time_nor_spread_much() {
-        let time = Time::of(&[10.0, 10.1, 9.9, 10.0, 90.0]);
-        assert_eq!(time.ns, 10.0);
-        assert!(time.spread < 0.02);
-    }
 
     #[test]
     fn short_work_is_repeated_and_long_work_is_not() {

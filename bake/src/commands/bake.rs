@@ -1,10 +1,11 @@
 //! `bake`: bakes a table, measures it, writes it.
 
-use super::{CommandError, Outcome};
+use super::CommandError;
 use crate::cli::{AxisName, BakeArgs};
-use crate::progress::Progress;
 use bake::baker::{self, Recipe};
 use bake::measure::measured;
+use lensbake_report::Outcome;
+use lensbake_report::Progress;
 use lensbake_tables::{Axis, Rows, Table, container};
 use std::time::Instant;
 
@@ -25,7 +26,7 @@ pub fn run(args: &BakeArgs) -> Result<Outcome, CommandError> {
     let error = table.header().measured.max_error;
     if let Some(budget) = args.budget.filter(|&budget| error > budget) {
         eprintln!("the error is above the budget of {budget:.3e} rad: nothing is written");
-        return Ok(Outcome::BudgetMissed);
+        return Ok(Outcome::Missed);
     }
     for path in &args.output {
         container::write(path, &table)?;

@@ -1,10 +1,11 @@
 //! `bake chart`: speed against accuracy.
 
-use super::{CommandError, Outcome, make_directory, write_figure, write_file};
+use super::{CommandError, make_directory, write_figure, write_file};
 use crate::cli::ChartArgs;
-use crate::progress::Progress;
 use bake::chart::figure::{ChartFigure, Unit};
 use bake::chart::{Effort, Entry, Section, csv, measure, pareto, steps};
+use lensbake_report::Outcome;
+use lensbake_report::Progress;
 use std::io::{self, Write};
 
 pub fn run(args: &ChartArgs) -> Result<Outcome, CommandError> {
@@ -76,7 +77,7 @@ fn report(sections: &[Section]) -> Result<Outcome, CommandError> {
         Ok(Outcome::Done)
     } else {
         eprintln!("bake: a method beats the default row");
-        Ok(Outcome::ClaimMissed)
+        Ok(Outcome::Missed)
     }
 }
 

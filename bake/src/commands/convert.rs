@@ -1,6 +1,7 @@
 //! `bake convert`: the same bits in the other container.
 
-use super::{CommandError, Outcome};
+use super::CommandError;
+use lensbake_report::Outcome;
 use lensbake_tables::container;
 use std::path::Path;
 

@@ -1,10 +1,11 @@
 //! `bake diff`: a table against the direct integrator and against the closed form.
 
-use super::{CommandError, Outcome, table_or_atlas, write_file};
+use super::{CommandError, table_or_atlas, write_file};
 use crate::cli::DiffArgs;
-use crate::progress::Progress;
 use bake::diff::{Comparison, Diff, DiffStatistics, Picture, diff};
 use bake::{plot, rays};
+use lensbake_report::Outcome;
+use lensbake_report::Progress;
 use std::io::{self, Write};
 
 pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
@@ -93,7 +94,7 @@ fn report(
             "bake: {name}: the error against the closed form is above the budget of {:e} rad or {} px",
             args.budget, args.budget_px
         );
-        return Ok(Outcome::BudgetMissed);
+        return Ok(Outcome::Missed);
     }
     Ok(Outcome::Done)
 }

@@ -1,6 +1,7 @@
 //! `bake inspect`: what a table says of itself.
 
-use super::{CommandError, Outcome};
+use super::CommandError;
+use lensbake_report::Outcome;
 use lensbake_tables::{Field, container};
 use std::io::{self, Write};
 use std::path::Path;

@@ -8,7 +8,7 @@ pub mod inspect;
 pub mod query;
 pub mod stability;
 
-use ::bake::drawing::{self, Figure};
+use ::lensbake_report::drawing::{self, Figure};
 use lensbake_tables::{ContainerError, Table, TableError, container, default_atlas};
 use std::borrow::Cow;
 use std::error::Error;
@@ -16,17 +16,6 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
-
-/// How a command ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outcome {
-    /// All done.
-    Done,
-    /// Done, but an error is larger than was allowed.
-    BudgetMissed,
-    /// Done, but what the project claims of itself does not hold.
-    ClaimMissed,
-}
 
 /// Why a command could not do its work.
 #[derive(Debug, Error)]
@@ -70,6 +59,13 @@ pub enum CommandError {
     /// The thread pool.
     #[error("cannot start the threads asked for with --threads: {0}")]
     Threads(String),
+}
+
+impl CommandError {
+    /// Whether the reader of standard output has gone.
+    pub fn is_broken_pipe(&self) -> bool {
+        matches!(self, CommandError::Stdout(e) if e.kind() == io::ErrorKind::BrokenPipe)
+    }
 }
 
 /// The table in `file`, or the built-in atlas, with a name to call it by.

@@ -1,10 +1,11 @@
 //! `bake query`: the bending of each ray asked for, one line each.
 
-use super::{CommandError, Outcome, table_or_atlas};
+use super::{CommandError, table_or_atlas};
 use crate::cli::{Method, QueryArgs};
 use bake::rays::Sight;
 use lensbake_core::rk4::Stepper;
 use lensbake_core::{EdgeCoordinate, Fate, Observer, Ray, direct, exact};
+use lensbake_report::Outcome;
 use lensbake_tables::{Row, Table, TableError};
 use std::io::{self, BufRead, BufWriter, Write};
 

@@ -1,10 +1,11 @@
 //! `bake stability`: where methods fail.
 
-use super::{CommandError, Outcome, make_directory, write_figure, write_file};
+use super::{CommandError, make_directory, write_figure, write_file};
 use crate::cli::StabilityArgs;
-use crate::progress::Progress;
 use bake::stability::figure::HeatMap;
 use bake::stability::{atlas, csv, regimes};
+use lensbake_report::Outcome;
+use lensbake_report::Progress;
 
 pub fn run(args: &StabilityArgs) -> Result<Outcome, CommandError> {
     make_directory(&args.output)?;
@@ -26,6 +27,6 @@ pub fn run(args: &StabilityArgs) -> Result<Outcome, CommandError> {
     if failures.is_empty() {
         Ok(Outcome::Done)
     } else {
-        Ok(Outcome::ClaimMissed)
+        Ok(Outcome::Missed)
     }
 }

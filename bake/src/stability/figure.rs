@@ -1,7 +1,7 @@
 //! The heat map: a line a regime, a column a method.
 
 use super::{Atlas, Line, Verdict, is_product};
-use crate::drawing::{Area, Figure, Ink, text};
+use lensbake_report::drawing::{Area, Figure, Ink, text};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;
@@ -217,8 +217,8 @@ fn colours(verdict: Verdict) -> (RGBColor, RGBColor) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::{png, svg};
     use crate::stability::{Input, Regime, Truth};
+    use lensbake_report::drawing::{png, svg};
 
     #[test]
     fn the_map_shows_regimes_methods_and_verdicts() {

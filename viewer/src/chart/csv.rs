@@ -1,7 +1,7 @@
 //! The chart's data: one line a method.
 
-use super::{Chart, Entry, Time};
-use lensbake_tables::statistics::ErrorStatistics;
+use super::{Chart, Entry};
+use lensbake_report::csv::{quoted, statistics, time};
 
 const HEAD: &str = "family,method,bytes_a_frame,loads_a_ray,operations_a_ray,\
                     gpu_ns_a_ray,gpu_spread,wall_ns_a_ray,wall_spread,\
@@ -37,29 +37,14 @@ fn line(chart: &Chart, entry: &Entry) -> String {
     )
 }
 
-fn time(time: Time) -> String {
-    format!("{:.4},{:.4}", time.ns, time.spread)
-}
-
-fn statistics(errors: &ErrorStatistics) -> String {
-    let ErrorStatistics { max, p999, rms } = errors;
-    format!("{max:.3e},{p999:.3e},{rms:.3e}")
-}
-
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::chart::{Family, FrameTimes};
     use crate::diff::TraceStatistics;
     use crate::model::Cost;
+    use lensbake_report::Time;
+    use lensbake_tables::statistics::ErrorStatistics;
 
     #[test]
     fn every_line_has_the_fields_of_the_head() {

@@ -1,9 +1,10 @@
 //! The figure: error in image space against time a ray, log–log, with the Pareto front.
 
-use super::plane::{Area, BOTTOM, DARK, GREY, LEFT, Plane, RIGHT, TOP, text};
-use super::{Chart, Entry, Family, front};
-use crate::font;
-use crate::picture::{PictureError, write_png};
+use super::plane::{BOTTOM, LEFT, Plane, RIGHT, TOP};
+use super::{Chart, Entry, Family};
+use crate::picture::PictureError;
+use lensbake_report::drawing::{self, Area, Figure, Ink, text};
+use lensbake_report::front;
 use lensbake_tables::container::write_whole;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -23,15 +24,26 @@ const LETTERS: i32 = 4;
 /// # Errors
 /// [`PictureError`] names the file and what is wrong.
 pub fn write(chart: &Chart, svg: &Path, png: &Path) -> Result<(), PictureError> {
-    let mut drawing = String::new();
-    let backend = SVGBackend::with_string(&mut drawing, SIZE);
-    draw(chart, &backend.into_drawing_area()).map_err(|e| PictureError::new(svg, e))?;
-    write_whole(svg, drawing.as_bytes()).map_err(|e| PictureError::new(svg, e))?;
-    let (width, height) = SIZE;
-    let mut pixels = vec![0; 3 * width as usize * height as usize];
-    let backend = BitMapBackend::with_buffer(&mut pixels, SIZE);
-    draw(chart, &backend.into_drawing_area()).map_err(|e| PictureError::new(png, e))?;
-    write_png(png, width, height, &pixels)
+    let figure = ChartFigure(chart);
+    let text = drawing::svg(&figure).map_err(|e| PictureError::new(svg, e))?;
+    write_whole(svg, text.as_bytes()).map_err(|e| PictureError::new(svg, e))?;
+    let bytes = drawing::png(&figure).map_err(|e| PictureError::new(png, e))?;
+    write_whole(png, &bytes).map_err(|e| PictureError::new(png, e))
+}
+
+struct ChartFigure<'a>(&'a Chart);
+
+impl Figure for ChartFigure<'_> {
+    fn size(&self) -> (u32, u32) {
+        SIZE
+    }
+
+    fn draw<DB: DrawingBackend>(&self, area: &Area<DB>) -> Result<(), Box<dyn Error>>
+    where
+        DB::ErrorType: 'static,
+    {
+        draw(self.0, area)
+    }
 }
 
 /// A method at its pixel.
@@ -59,7 +71,6 @@ fn draw<DB: DrawingBackend>(chart: &Chart, area: &Area<DB>) -> Result<(), Box<dy
 where
     DB::ErrorType: 'static,
 {
-    font::register()?;
     area.fill(&WHITE)?;
     draw_title(chart, area)?;
     let point = |entry: &Entry| (entry.ns(), entry.errors.pixels.max);
@@ -102,7 +113,7 @@ where
         "{width} × {height}, camera at r = {}, median of {} rounds{kind}",
         chart.radius, chart.rounds
     );
-    area.draw(&Text::new(subtitle, (LEFT, 78), text(28).color(&GREY)))?;
+    area.draw(&Text::new(subtitle, (LEFT, 78), text(28).color(&Ink::GREY)))?;
     Ok(())
 }
 
@@ -268,7 +279,7 @@ fn colour(family: Family) -> RGBColor {
         Family::Hermite => RGBColor(207, 34, 46),
         Family::Linear => RGBColor(188, 76, 0),
         Family::Direct => RGBColor(9, 105, 218),
-        Family::Flat => DARK,
+        Family::Flat => Ink::DARK,
     }
 }
 

@@ -3,13 +3,11 @@
 mod contenders;
 pub mod csv;
 pub mod figure;
-mod pareto;
 mod plane;
 mod timing;
 
 pub use contenders::{Contender, Family, contenders};
-pub use pareto::front;
-pub use timing::{FrameTimes, Time};
+pub use timing::FrameTimes;
 
 use crate::diff::{Reference, TraceStatistics};
 use crate::gpu::{Gpu, GpuError, Output, Prepared, Renderer};

@@ -1,28 +1,15 @@
 //! The log–log plane of the chart: its map to pixels, its axes and its grid.
 
-use crate::font;
-use plotters::coord::Shift;
+use lensbake_report::drawing::{Area, Ink, text};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::ops::RangeInclusive;
-
-/// What is drawn on.
-pub type Area<DB> = DrawingArea<DB, Shift>;
-
-pub const DARK: RGBColor = RGBColor(31, 35, 40);
-pub const GREY: RGBColor = RGBColor(101, 109, 118);
-const PALE: RGBColor = RGBColor(225, 228, 232);
 
 /// The sides of the plane, pixels.
 pub const LEFT: i32 = 150;
 pub const RIGHT: i32 = 1560;
 pub const TOP: i32 = 150;
 pub const BOTTOM: i32 = 870;
-
-/// Text of `size` pixels.
-pub fn text(size: i32) -> TextStyle<'static> {
-    (font::FAMILY, size).into_font().color(&DARK)
-}
 
 /// The plane: a cost in ns along x, an error in pixels along y.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,7 +61,7 @@ impl Plane {
         cost_name: &str,
         error_name: &str,
     ) -> Result<(), DrawingAreaErrorKind<DB::ErrorType>> {
-        let line = |from, to| PathElement::new(vec![from, to], PALE.stroke_width(2));
+        let line = |from, to| PathElement::new(vec![from, to], Ink::PALE.stroke_width(2));
         let below = text(26).pos(Pos::new(HPos::Center, VPos::Top));
         let beside = text(26).pos(Pos::new(HPos::Right, VPos::Center));
         for cost in one_two_five(&self.cost) {
@@ -90,7 +77,7 @@ impl Plane {
             area.draw(&Text::new(tick, (LEFT - 14, y + 4), beside.clone()))?;
         }
         let frame = [(LEFT, TOP), (RIGHT, BOTTOM)];
-        area.draw(&Rectangle::new(frame, DARK.stroke_width(2)))?;
+        area.draw(&Rectangle::new(frame, Ink::DARK.stroke_width(2)))?;
         let name = text(28).pos(Pos::new(HPos::Center, VPos::Top));
         let middle = ((LEFT + RIGHT) / 2, BOTTOM + 56);
         area.draw(&Text::new(cost_name.to_owned(), middle, name.clone()))?;

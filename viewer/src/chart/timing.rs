@@ -2,16 +2,8 @@
 //! down slows all of them.
 
 use crate::gpu::{FrameTime, Gpu, GpuError, Prepared, Timer};
+use lensbake_report::Time;
 use std::time::Duration;
-
-/// A time a ray over several rounds.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Time {
-    /// Median, ns.
-    pub ns: f64,
-    /// Relative spread: 1.48 × the median absolute deviation, over the median.
-    pub spread: f64,
-}
 
 /// The time a ray by both clocks.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,17 +28,6 @@ impl FrameTimes {
         FrameTimes {
             gpu: gpu.map(|times| Time::of(&times)),
             wall: Time::of(&wall),
-        }
-    }
-}
-
-impl Time {
-    fn of(times: &[f64]) -> Self {
-        let ns = median(times.to_vec());
-        let deviation = median(times.iter().map(|t| (t - ns).abs()).collect());
-        Time {
-            ns,
-            spread: 1.48 * deviation / ns,
         }
     }
 }
@@ -81,21 +62,9 @@ pub fn interleaved(
     Ok(times.iter().map(|t| FrameTimes::of(t, rays)).collect())
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_unstable_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn one_slow_round_changes_neither_time_nor_spread_much() {
-        let time = Time::of(&[10.0, 10.1, 9.9, 10.0, 90.0]);
-        assert_eq!(time.ns, 10.0);
-        assert!(time.spread < 0.02);
-    }
 
     #[test]
     fn without_timestamps_the_wall_clock_counts() {

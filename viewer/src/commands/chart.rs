@@ -1,8 +1,9 @@
 //! `viewer chart`: speed against accuracy of every way to draw, on the GPU at hand.
 
-use super::{CommandError, Outcome};
+use super::CommandError;
 use crate::cli::ChartArgs;
-use crate::progress::Progress;
+use lensbake_report::Outcome;
+use lensbake_report::Progress;
 use lensbake_tables::container::write_whole;
 use lensbake_tables::default_atlas;
 use std::fs;

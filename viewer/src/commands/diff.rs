@@ -1,11 +1,12 @@
 //! `viewer diff`: lookup against direct integration on the device at hand, and both against the closed
 //! form on the CPU.
 
-use super::{CommandError, Outcome, gpu, least, scene};
+use super::{CommandError, gpu, least, scene};
 use crate::cli::DiffArgs;
-use crate::progress::Progress;
 use glam::DVec3;
 use lensbake_core::Fate;
+use lensbake_report::Outcome;
+use lensbake_report::Progress;
 use std::io::{self, Write};
 use viewer::cpu;
 use viewer::deflect::deflect;
@@ -94,7 +95,7 @@ pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
             "viewer: the lookup's error is above the budget of {} px",
             args.budget_px
         );
-        return Ok(Outcome::BudgetMissed);
+        return Ok(Outcome::Missed);
     }
     Ok(Outcome::Done)
 }

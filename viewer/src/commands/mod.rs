@@ -18,15 +18,6 @@ use viewer::picture::PictureError;
 use viewer::scene::{Method, Scene, SceneError};
 use viewer::sky::SkyError;
 
-/// How a command ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outcome {
-    /// All done.
-    Done,
-    /// Done, but an error is larger than was allowed.
-    BudgetMissed,
-}
-
 /// Why a command could not do its work.
 #[derive(Debug, Error)]
 pub enum CommandError {

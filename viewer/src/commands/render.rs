@@ -1,8 +1,9 @@
 //! `viewer render`: a picture to a file.
 
-use super::{CommandError, Outcome, gpu, least, scene};
+use super::{CommandError, gpu, least, scene};
 use crate::cli::{MethodName, RenderArgs};
-use crate::progress::Progress;
+use lensbake_report::Outcome;
+use lensbake_report::Progress;
 use std::time::Instant;
 use viewer::cpu;
 use viewer::gpu::{Gpu, Renderer};
@@ -33,7 +34,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
         }
         if args.budget_px.is_some() {
             if choice.chosen.is_none() {
-                outcome = Outcome::BudgetMissed;
+                outcome = Outcome::Missed;
             }
             scene = least::scene_of(choice, &scene);
         }

@@ -4,7 +4,7 @@ use lensbake_tests::{Program, Run};
 use std::path::Path;
 
 fn viewer(args: &[&str]) -> Run {
-    Program::build("viewer").run(args)
+    Program::at(env!("CARGO_BIN_EXE_viewer")).run(args)
 }
 
 fn render(folder: &Path, args: &[&str]) -> Run {

@@ -7,6 +7,8 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::error::Error;
 
+pub use crate::font::register as register_font;
+
 /// An area to draw on.
 pub type Area<DB> = DrawingArea<DB, Shift>;
 
