@@ -10,8 +10,8 @@
 //! (r = ∞: Iyer & Petters 2007, Gen. Rel. Grav. 39, 1563). The residual axis stores what is left when
 //! the logarithms are taken away, and measures q = √(1−√x): q² ∝ d at the edge, and x ∝ (1−q)²
 //! straight away, where a distant observer's row has a layer as narrow as his shadow.
-//! Against q = s = √(1−x) with the leading logarithm alone, both changes together take the error of
-//! 128 texels from 2e-6 to 2e-9 rad (`docs/physics.md`).
+//! Against s = √(1−x) with the leading logarithm alone, both changes together take the error of 64
+//! texels for r = ∞ from 7e-6 to 2e-8 rad (`docs/chart.md`).
 
 use lensbake_core::{B_CRIT, BendAndSlope, EdgeCoordinate, Observer};
 use serde::{Deserialize, Serialize};

@@ -38,6 +38,7 @@ impl Interpolation {
 
     /// The stored value and its derivative by q at `q` (clamped to 0 … 1), from at least two texels
     /// of value and slope a texel.
+    #[inline]
     pub(crate) fn between(self, texels: &[[f64; 2]], q: f64) -> Stored {
         let last = texels.len() - 1;
         let position = q.clamp(0.0, 1.0) * last as f64;

@@ -77,6 +77,7 @@ impl Row {
     }
 
     /// The bending Δ at the edge coordinate `at`, rad.
+    #[inline]
     pub fn bend(&self, at: EdgeCoordinate) -> Fate {
         if at.one_minus_x <= 0.0 {
             return Fate::Captured;
@@ -95,6 +96,7 @@ impl Row {
     }
 
     /// The stored value at the position q and its derivative by q.
+    #[inline]
     fn stored(&self, q: f64) -> Stored {
         self.interpolation.between(&self.texels, q)
     }
