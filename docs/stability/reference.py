@@ -88,10 +88,11 @@ def regimes():
     """(group, name, kind, first number, second number, whether there is such a ray)"""
     ulp24, ulp53 = 2.0**-24, 2.0**-53
     b_crit = float(B_CRIT)
-    for gap in (1e-2, 1e-4, 1e-6, ulp24, 1e-8, 1e-10, 1e-12, 1e-14, ulp53):
+    decades = [float(f"1e-{n}") for n in range(1, 16)]
+    for gap in sorted([*decades, ulp24, ulp53], reverse=True):
         note = {ulp24: ", last f32", ulp53: ", last f64"}.get(gap, "")
         yield "outside the edge, r = ∞", f"1 − x = {gap:.0e}{note}", "edge", math.inf, gap, True
-    for gap in (1e-2, 1e-6, ulp24, 1e-12, ulp53):
+    for gap in sorted([*decades, ulp24, ulp53], reverse=True):
         note = {ulp24: ", first f32", ulp53: ", first f64"}.get(gap, "")
         yield "inside the edge, r = ∞", f"x − 1 = {gap:.0e}{note}", "edge", math.inf, -gap, True
     for name, b in (
