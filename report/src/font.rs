@@ -8,7 +8,7 @@ static REGISTERED: Once = Once::new();
 /// The name the font goes by; in an SVG file the viewer's own font of this name is drawn.
 pub const FAMILY: &str = "sans-serif";
 
-/// Makes [`FAMILY`] known to the drawing library; to be called before any figure is drawn.
+/// Makes the built-in font known to the drawing library; to be called before any figure is drawn.
 pub fn register() {
     REGISTERED.call_once(|| {
         let font = epaint_default_fonts::UBUNTU_LIGHT;

@@ -85,7 +85,7 @@ impl<'a> Prepared<'a> {
         &self.bands
     }
 
-    /// Where each band writes its pixels in turn, [rows][width][4] of f32.
+    /// Where each band writes its pixels in turn, `[rows][width][4]` of f32.
     pub fn written(&self) -> &Buffer {
         &self.written
     }
