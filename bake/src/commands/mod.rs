@@ -8,7 +8,7 @@ pub mod inspect;
 pub mod query;
 pub mod stability;
 
-use ::lensbake_report::drawing::{self, Figure};
+use lensbake_report::drawing::{self, Figure};
 use lensbake_tables::{ContainerError, Table, TableError, container, default_atlas};
 use std::borrow::Cow;
 use std::error::Error;
