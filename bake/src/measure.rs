@@ -1,19 +1,19 @@
 //! The error that a table's header states: its lookup against the closed form, off the nodes.
 
-use crate::baker::Recipe;
 use crate::rays::{Sight, off_nodes};
 use lensbake_core::{Observer, exact};
+use lensbake_tables::statistics::ErrorStatistics;
 use lensbake_tables::{Header, Measured, Row, Table, TableError};
 use rayon::prelude::*;
 
-/// Measures `table` and states the error in its header.
+/// Measures `table` and states the error in its header: infinite if any ray meets another fate.
 ///
 /// # Errors
 /// [`TableError`] if the table has no row for its own observers, which no valid table lacks.
-pub fn measured(table: Table, recipe: &Recipe) -> Result<Table, TableError> {
-    let sights = off_nodes(recipe);
+pub fn measured(table: Table) -> Result<Table, TableError> {
+    let sights = off_nodes(table.header());
     let errors = lookup_errors(&table, &sights)?;
-    let max_error = errors.into_iter().map(f64::abs).fold(0.0, f64::max);
+    let max_error = ErrorStatistics::of(errors).map_or(0.0, |errors| errors.max);
     let radii = sights.iter().map(|s| s.observer.radius());
     let gaps = sights.iter().map(|s| s.at.one_minus_x);
     let header = Header {

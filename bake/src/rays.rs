@@ -1,6 +1,5 @@
 //! The rays that tables are checked with.
 
-use crate::baker::Recipe;
 use fastrand::Rng;
 use lensbake_core::{EdgeCoordinate, Observer};
 use lensbake_tables::{Axis, Header, Rows};
@@ -74,27 +73,25 @@ fn in_b(axis: Axis, t: f64, crowd: bool) -> EdgeCoordinate {
 
 /// Rays off the nodes of a table, dense enough to see its largest error: between all rows, down to the
 /// last gap before the horizon; four a texel; and at the edge by decades of 1 − x down to [`EDGE_GAP`].
-pub fn off_nodes(recipe: &Recipe) -> Vec<Sight> {
-    let cells = 4 * (recipe.texels - 1);
+pub fn off_nodes(table: &Header) -> Vec<Sight> {
+    let cells = 4 * (table.texels - 1);
     let within_cells = (0..cells).map(|i| (f64::from(i) + 0.5) / f64::from(cells));
     let mut along: Vec<EdgeCoordinate> = within_cells
-        .map(|q| recipe.axis.coordinate(q))
+        .map(|q| table.axis.coordinate(q))
         .filter(|at| at.one_minus_x >= EDGE_GAP)
         .collect();
-    if recipe.axis == Axis::Residual {
+    if table.axis == Axis::Residual {
         along.extend([1e-2, 1e-3, 1e-4, 1e-5, EDGE_GAP].map(edge_gap));
     }
-    observers_off_nodes(recipe.rows)
+    observers_off_nodes(table)
         .into_iter()
         .flat_map(|observer| along.iter().map(move |&at| Sight { observer, at }))
         .collect()
 }
 
-fn observers_off_nodes(rows: Rows) -> Vec<Observer> {
-    match rows {
-        Rows::One { inverse_radius } => {
-            vec![Observer::at(1.0 / inverse_radius).unwrap_or_else(|_| Observer::far())]
-        }
+fn observers_off_nodes(table: &Header) -> Vec<Observer> {
+    match table.rows {
+        Rows::One { .. } => vec![table.observer(0)],
         Rows::Chi { count } => {
             let gaps = count - 1;
             (0..3 * gaps)

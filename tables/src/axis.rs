@@ -155,16 +155,11 @@ impl Axis {
     /// The bending alone from the stored value, rad: [`Axis::bending`] without its slope.
     #[inline]
     pub fn bend(&self, observer: &Observer, at: EdgeCoordinate, value: f64) -> f64 {
-        match self {
-            Axis::Residual => {
-                let d = at.one_minus_x;
-                value - (1.0 + log_weight(observer) * d) * d.ln()
-            }
-            _ => value,
-        }
+        value + self.logarithm(observer, at).bend
     }
 
     /// The part of the bending that the axis takes away before storing, and its derivative by x.
+    #[inline]
     fn logarithm(&self, observer: &Observer, at: EdgeCoordinate) -> BendAndSlope {
         if *self != Axis::Residual {
             return BendAndSlope {
@@ -187,8 +182,10 @@ pub fn log_weight(observer: &Observer) -> f64 {
     5.0 / 18.0 * observer.cos_edge()
 }
 
+/// ln(b/b_c − 1), right to the last b beside b_c.
 fn log_excess(b: f64) -> f64 {
-    ((b - B_CRIT) / B_CRIT).ln()
+    let at = EdgeCoordinate::from_b(b);
+    (at.one_minus_x / at.x).ln()
 }
 
 #[cfg(test)]

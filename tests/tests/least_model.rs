@@ -7,7 +7,6 @@ use lensbake_tables::default_atlas;
 use lensbake_tests::gpu;
 use viewer::camera::{Camera, View};
 use viewer::cpu;
-use viewer::deflect::deflect;
 use viewer::diff::{PixelError, Reference};
 use viewer::gpu::Renderer;
 use viewer::model::{Candidate, Choice, Model, Precision, choose};
@@ -75,17 +74,15 @@ fn view(random: &mut fastrand::Rng, index: usize, (width, height): (u32, u32)) -
 
 /// The largest error of the CPU's whole picture, pixels.
 fn measured(reference: &Reference, scene: &Scene) -> f64 {
-    let trace: Vec<Fate<DVec3>> = cpu::by_pixel(
-        &scene.camera,
-        || (),
-        |direction| cpu::turned_direction(direction, |sight| deflect(scene, sight)).map(|(d, _)| d),
-    );
+    let trace = cpu::trace(scene, || ());
     largest(reference, &trace)
 }
 
 fn largest(reference: &Reference, trace: &[Fate<DVec3>]) -> f64 {
     let errors = reference.errors(trace, &reference.trace());
-    errors.iter().map(PixelError::pixels).fold(0.0, f64::max)
+    // A NaN is the largest of all, not lost.
+    let pixels = errors.iter().map(PixelError::pixels);
+    pixels.max_by(f64::total_cmp).unwrap_or(0.0)
 }
 
 /// Draws what was chosen and what is next cheaper, and holds both to the budget. `slack` is by how much

@@ -12,30 +12,42 @@ use rayon::prelude::*;
 /// Draws `scene` before `sky`. `row_done` is called after each row of pixels.
 pub fn render(scene: &Scene, sky: &Sky, row_done: impl Fn() + Sync) -> Picture {
     let camera = &scene.camera;
-    let rows = by_pixel(camera, row_done, |direction| {
-        match turned_direction(direction, |sight| deflect(scene, sight)) {
+    let pixels = by_pixel(camera, row_done, |column, row| {
+        match light_direction(scene, camera.direction(column, row)) {
             Fate::Captured => [0.0; 3],
-            Fate::Escapes((direction, _)) => {
+            Fate::Escapes(direction) => {
                 let in_sky = camera.sky_from_hole * direction;
                 sky.sample(in_sky.as_vec3()).to_array()
             }
         }
     });
-    Picture::new(camera.width, camera.height, rows)
+    Picture::new(camera.width, camera.height, pixels)
 }
 
-/// Calls `f` with the unit direction of every pixel, in the hole frame; row-major `[height][width]`.
+/// Finds where each pixel's light comes from: unit directions in the hole frame, row-major
+/// `[height][width]`. `row_done` is called after each row of pixels.
+pub fn trace(scene: &Scene, row_done: impl Fn() + Sync) -> Vec<Fate<DVec3>> {
+    let camera = &scene.camera;
+    by_pixel(camera, row_done, |column, row| {
+        light_direction(scene, camera.direction(column, row))
+    })
+}
+
+/// Where the light seen in a unit `direction` comes from, both in the hole frame.
+pub fn light_direction(scene: &Scene, direction: DVec3) -> Fate<DVec3> {
+    turned_direction(direction, |sight| deflect(scene, sight)).map(|(light, _)| light)
+}
+
+/// Calls `f` with the (column, row) of every pixel; row-major `[height][width]`.
 pub fn by_pixel<T: Send>(
     camera: &Camera,
     row_done: impl Fn() + Sync,
-    f: impl Fn(DVec3) -> T + Sync,
+    f: impl Fn(u32, u32) -> T + Sync,
 ) -> Vec<T> {
     (0..camera.height)
         .into_par_iter()
         .flat_map(|row| {
-            let pixels: Vec<T> = (0..camera.width)
-                .map(|column| f(camera.direction(column, row)))
-                .collect();
+            let pixels: Vec<T> = (0..camera.width).map(|column| f(column, row)).collect();
             row_done();
             pixels
         })

@@ -2,7 +2,7 @@
 
 use crate::camera::{Camera, Sight};
 use crate::cpu;
-use crate::deflect::{closed_form, deflect};
+use crate::deflect::closed_form;
 use crate::picture::Picture;
 use crate::scene::Scene;
 use glam::DVec3;
@@ -74,23 +74,10 @@ impl Reference {
     /// The reference of a scene's camera. `row_done` is called after each row of pixels.
     pub fn new(scene: &Scene, row_done: impl Fn() + Sync) -> Self {
         let camera = scene.camera;
-        let pixels = (0..camera.height)
-            .into_par_iter()
-            .flat_map(|row| {
-                let columns = 0..camera.width;
-                let pixels: Vec<_> = columns
-                    .map(|column| ReferencePixel::new(scene, column, row))
-                    .collect();
-                row_done();
-                pixels
-            })
-            .collect();
+        let pixels = cpu::by_pixel(&camera, row_done, |column, row| {
+            ReferencePixel::new(scene, column, row)
+        });
         Reference { camera, pixels }
-    }
-
-    /// Number of pixels that see the horizon.
-    pub fn captured(&self) -> usize {
-        self.pixels.iter().filter(|p| p.is_captured()).count()
     }
 
     /// The directions, row-major `[height][width]`.
@@ -147,9 +134,8 @@ impl ReferencePixel {
 
     /// The error here of the CPU's picture of `drawn`.
     pub fn error_of(&self, drawn: &Scene) -> PixelError {
-        let direction = |(direction, _)| direction;
-        let light = cpu::turned_direction(self.view, |sight| deflect(drawn, sight));
-        self.error(&light.map(direction), &self.light.map(direction))
+        let light = cpu::light_direction(drawn, self.view);
+        self.error(&light, &self.light.map(|(direction, _)| direction))
     }
 
     fn error(&self, a: &Fate<DVec3>, b: &Fate<DVec3>) -> PixelError {

@@ -4,8 +4,7 @@ use super::CommandError;
 use crate::cli::{AxisName, BakeArgs};
 use bake::baker::{self, Recipe};
 use bake::measure::measured;
-use lensbake_report::Outcome;
-use lensbake_report::Progress;
+use lensbake_report::{Outcome, Progress};
 use lensbake_tables::{Axis, Rows, Table, container};
 use std::time::Instant;
 
@@ -78,7 +77,7 @@ fn bake_and_measure(recipe: &Recipe) -> Result<Table, CommandError> {
         rayon::current_num_threads(),
     );
     let started = Instant::now();
-    let table = measured(table, recipe)?;
+    let table = measured(table)?;
     let measured = table.header().measured;
     eprintln!(
         "largest error {:.3e} rad against the closed form over {} rays off the nodes, r from {:.6}, \

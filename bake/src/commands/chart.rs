@@ -4,8 +4,7 @@ use super::{CommandError, make_directory, write_figure, write_file};
 use crate::cli::ChartArgs;
 use bake::chart::figure::{ChartFigure, Unit};
 use bake::chart::{Effort, Entry, Section, csv, measure, pareto, steps};
-use lensbake_report::Outcome;
-use lensbake_report::Progress;
+use lensbake_report::{Outcome, Progress};
 use std::io::{self, Write};
 
 pub fn run(args: &ChartArgs) -> Result<Outcome, CommandError> {

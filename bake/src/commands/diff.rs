@@ -4,8 +4,7 @@ use super::{CommandError, table_or_atlas, write_file};
 use crate::cli::DiffArgs;
 use bake::diff::{Comparison, Diff, DiffStatistics, Picture, diff};
 use bake::{plot, rays};
-use lensbake_report::Outcome;
-use lensbake_report::Progress;
+use lensbake_report::{Outcome, Progress};
 use std::io::{self, Write};
 
 pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {

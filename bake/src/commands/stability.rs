@@ -4,8 +4,7 @@ use super::{CommandError, make_directory, write_figure, write_file};
 use crate::cli::StabilityArgs;
 use bake::stability::figure::HeatMap;
 use bake::stability::{atlas, csv, regimes};
-use lensbake_report::Outcome;
-use lensbake_report::Progress;
+use lensbake_report::{Outcome, Progress};
 
 pub fn run(args: &StabilityArgs) -> Result<Outcome, CommandError> {
     make_directory(&args.output)?;

@@ -2,8 +2,7 @@
 
 use super::CommandError;
 use crate::cli::ChartArgs;
-use lensbake_report::Outcome;
-use lensbake_report::Progress;
+use lensbake_report::{Outcome, Progress};
 use lensbake_tables::container::write_whole;
 use lensbake_tables::default_atlas;
 use std::fs;

@@ -5,11 +5,9 @@ use super::{CommandError, gpu, least, scene};
 use crate::cli::DiffArgs;
 use glam::DVec3;
 use lensbake_core::Fate;
-use lensbake_report::Outcome;
-use lensbake_report::Progress;
+use lensbake_report::{Outcome, Progress};
 use std::io::{self, Write};
 use viewer::cpu;
-use viewer::deflect::deflect;
 use viewer::diff::{PictureDifference, Reference, TraceStatistics};
 use viewer::gpu::Renderer;
 use viewer::heat_map;
@@ -120,15 +118,7 @@ fn on_cpu(scene: &Scene, sky: &Sky) -> Drawn {
     let picture = with_progress(scene, |progress| {
         cpu::render(scene, sky, || progress.step())
     });
-    let trace = with_progress(scene, |progress| {
-        cpu::by_pixel(
-            &scene.camera,
-            || progress.step(),
-            |direction| {
-                cpu::turned_direction(direction, |sight| deflect(scene, sight)).map(|(d, _)| d)
-            },
-        )
-    });
+    let trace = with_progress(scene, |progress| cpu::trace(scene, || progress.step()));
     Drawn { picture, trace }
 }
 

@@ -9,7 +9,6 @@ use viewer::scene::Scene;
 
 /// The choice for `scene` on the GPU, or on the CPU without one.
 pub fn choice(scene: &Scene, budget_px: f64, gpu: Option<&Gpu>) -> Result<Choice, CommandError> {
-    check_budget(budget_px)?;
     let precision = match gpu {
         Some(_) => Precision::F32,
         None => Precision::F64,

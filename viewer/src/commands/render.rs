@@ -2,8 +2,7 @@
 
 use super::{CommandError, gpu, least, scene};
 use crate::cli::{MethodName, RenderArgs};
-use lensbake_report::Outcome;
-use lensbake_report::Progress;
+use lensbake_report::{Outcome, Progress};
 use std::time::Instant;
 use viewer::cpu;
 use viewer::gpu::{Gpu, Renderer};
