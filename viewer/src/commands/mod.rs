@@ -4,8 +4,9 @@ pub mod chart;
 pub mod diff;
 mod least;
 pub mod render;
+pub mod window;
 
-use crate::cli::{DeviceName, SceneArgs};
+use crate::cli::{DeviceName, SceneArgs, ViewArgs};
 use lensbake_tables::{ContainerError, Table, container, default_atlas};
 use std::borrow::Cow;
 use std::io;
@@ -17,6 +18,7 @@ use viewer::gpu::{Gpu, GpuError};
 use viewer::picture::PictureError;
 use viewer::scene::{Method, Scene, SceneError};
 use viewer::sky::SkyError;
+use viewer::window::WindowError;
 
 /// Why a command could not do its work.
 #[derive(Debug, Error)]
@@ -47,6 +49,9 @@ pub enum CommandError {
     /// The chart.
     #[error(transparent)]
     Chart(#[from] ChartError),
+    /// The window.
+    #[error(transparent)]
+    Window(#[from] WindowError),
     /// A folder to write to.
     #[error("{}: {_1}", _0.display())]
     Folder(PathBuf, io::Error),
@@ -60,20 +65,25 @@ pub enum CommandError {
 
 /// The scene that the arguments describe.
 fn scene(args: &SceneArgs, method: Method) -> Result<Scene, CommandError> {
-    let camera = Camera::new(&args.view())?;
-    let (table, name): (Cow<Table>, _) = match &args.table {
-        Some(path) => (
-            Cow::Owned(container::read(path)?),
-            path.display().to_string(),
-        ),
-        None => (Cow::Borrowed(default_atlas()), "the built-in atlas".into()),
-    };
+    let camera = Camera::new(&args.view.view(args.size))?;
+    let (table, name) = table(&args.view)?;
     Scene::new(camera, &table, method).map_err(|problem| match problem {
         SceneError::Step { .. } => CommandError::Scene {
             name: "--step".into(),
             problem,
         },
         _ => CommandError::Scene { name, problem },
+    })
+}
+
+/// The table that the arguments name, and what it is called.
+fn table(args: &ViewArgs) -> Result<(Cow<'static, Table>, String), CommandError> {
+    Ok(match &args.table {
+        Some(path) => (
+            Cow::Owned(container::read(path)?),
+            path.display().to_string(),
+        ),
+        None => (Cow::Borrowed(default_atlas()), "the built-in atlas".into()),
     })
 }
 

@@ -1,7 +1,7 @@
 //! Draws scenes on a GPU.
 
 use super::canvas::storage_texture_binding;
-use super::{Gpu, GpuError, Output, Prepared, Store, Target, shader_source};
+use super::{Gpu, GpuError, Output, Passes, Prepared, Store, Target, shader_source};
 use crate::picture::Picture;
 use crate::scene::{Method, Scene};
 use crate::sky::Sky;
@@ -14,6 +14,10 @@ use wgpu::*;
 /// Where the light of each pixel comes from: unit directions in the hole frame, row-major
 /// `[height][width]`.
 pub type Trace = Vec<Fate<DVec3>>;
+
+/// A sky on the device; a clone is the same sky.
+#[derive(Debug, Clone)]
+pub struct SkyOnDevice(BindGroup);
 
 /// A renderer on one device, with one sky.
 #[derive(Debug)]
@@ -53,6 +57,26 @@ impl Renderer {
         };
         gpu.wait()?;
         Ok(renderer)
+    }
+
+    /// Puts another sky on the device.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`] if it does not fit.
+    pub fn upload(&self, sky: &Sky) -> Result<SkyOnDevice, GpuError> {
+        let sky = sky_bind_group(&self.gpu, &self.sky_layout, sky);
+        self.gpu.wait()?;
+        Ok(SkyOnDevice(sky))
+    }
+
+    /// The sky that it draws before.
+    pub fn sky(&self) -> SkyOnDevice {
+        SkyOnDevice(self.sky.clone())
+    }
+
+    /// Draws before this sky from now on.
+    pub fn set_sky(&mut self, sky: &SkyOnDevice) {
+        self.sky = sky.0.clone();
     }
 
     /// The device it draws on.
