@@ -58,7 +58,12 @@ impl Input {
                 self.modifiers = modifiers.state();
                 Reaction::None
             }
-            WindowEvent::KeyboardInput { event, .. } => self.key(event),
+            // A key that was held when the window was entered was pressed for another.
+            WindowEvent::KeyboardInput {
+                event,
+                is_synthetic: false,
+                ..
+            } => self.key(event),
             WindowEvent::MouseInput { state, button, .. } => {
                 self.button(*state, *button, settings, width);
                 Reaction::None

@@ -159,21 +159,22 @@ impl Panel {
 }
 
 impl Paint<'_> {
-    /// Sends to the device what is new.
-    pub fn prepare(&mut self, gpu: &Gpu, encoder: &mut CommandEncoder) -> Vec<CommandBuffer> {
+    /// Sends new textures to the device: needed even if the frame is not shown, for they come once.
+    pub fn upload(&mut self, gpu: &Gpu) {
         let Gpu { device, queue, .. } = gpu;
         for (id, deltas) in &self.textures.set {
             for delta in deltas {
                 self.renderer.update_texture(device, queue, *id, delta);
             }
         }
-        self.renderer.update_buffers(
-            &gpu.device,
-            &gpu.queue,
-            encoder,
-            &self.primitives,
-            &self.screen,
-        )
+    }
+
+    /// Sends what is drawn to the device.
+    pub fn prepare(&mut self, gpu: &Gpu, encoder: &mut CommandEncoder) -> Vec<CommandBuffer> {
+        let Gpu { device, queue, .. } = gpu;
+        let (primitives, screen) = (&self.primitives, &self.screen);
+        self.renderer
+            .update_buffers(device, queue, encoder, primitives, screen)
     }
 
     /// Draws.
@@ -181,11 +182,12 @@ impl Paint<'_> {
         self.renderer.render(pass, &self.primitives, &self.screen);
     }
 
-    /// Lets go of what is no longer needed.
+    /// Lets go of what is no longer needed, after the frame was drawn or not.
     pub fn finish(&mut self) {
         for id in &self.textures.free {
             self.renderer.free_texture(id);
         }
+        self.textures.clear();
     }
 }
 
@@ -310,8 +312,8 @@ fn costs(ui: &mut Ui, facts: &Facts) {
         ),
         ("table", facts.table.clone()),
         ("its error", format!("≤ {:.1e} rad", facts.table_error)),
-        ("GPU", facts.adapter.clone()),
     ];
+    ui.weak(RichText::new(&facts.adapter).small());
     Grid::new("costs").num_columns(2).show(ui, |ui| {
         for (what, value) in rows {
             ui.label(what);

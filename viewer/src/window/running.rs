@@ -24,6 +24,8 @@ use winit::window::{Fullscreen, Window};
 
 /// A day away: the panel's way to say that it need not be painted again.
 const NEVER: Duration = Duration::from_secs(86_400);
+/// When to try again to show a frame that could not be shown.
+const RETRY: Duration = Duration::from_millis(100);
 /// Frames a second where the screen does not say how many it shows.
 const USUAL_REFRESH_HZ: f64 = 60.0;
 /// Where vertical sync does not hold frames back, they are paced a little faster than the screen, so
@@ -137,6 +139,8 @@ impl Running {
                     Reaction::None => (),
                     Reaction::Changed => self.redraw(),
                     Reaction::Command(command) => {
+                        // What was held before the command counts before it.
+                        self.input.steer(&mut self.settings.view, Instant::now());
                         self.obey(events, command)?;
                         self.redraw();
                     }
@@ -271,8 +275,12 @@ impl Running {
         let shown = self.stage.show(&plan, &mut paint)?;
         self.fulfil(wish);
         self.learn();
-        let moves_on = (moving && shown == Shown::Yes) || before != self.settings;
-        let wait = if moves_on { Duration::ZERO } else { again };
+        let wait = match shown {
+            // A covered or minimised window: look again now and then.
+            Shown::NotNow => RETRY,
+            Shown::Yes if moving || before != self.settings => Duration::ZERO,
+            Shown::Yes => again,
+        };
         self.next_frame = (wait < NEVER).then(|| now + wait.max(self.pace()));
         Ok(())
     }

@@ -146,6 +146,13 @@ impl Stage {
     /// # Errors
     /// [`WindowError`] if the device failed or was lost, or the window has no surface any more.
     pub fn show(&mut self, plan: &Plan, paint: &mut Paint) -> Result<Shown, WindowError> {
+        paint.upload(&self.gpu);
+        let shown = self.show_uploaded(plan, paint);
+        paint.finish();
+        shown
+    }
+
+    fn show_uploaded(&mut self, plan: &Plan, paint: &mut Paint) -> Result<Shown, WindowError> {
         self.gpu.poll()?;
         let frame = match self.surface.get_current_texture() {
             CurrentSurfaceTexture::Success(frame) => frame,
@@ -187,7 +194,6 @@ impl Stage {
         if let Some(timed) = timed {
             timed.send_back();
         }
-        paint.finish();
         self.drawn = Some(plan.clone());
         self.window.pre_present_notify();
         self.gpu.queue.present(frame);
