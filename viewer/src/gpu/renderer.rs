@@ -36,8 +36,9 @@ impl Renderer {
     /// [`GpuError::Failed`] if the sky does not fit.
     pub fn new(gpu: &Gpu, sky: &Sky) -> Result<Self, GpuError> {
         let device = &gpu.device;
+        let layout =
+            |label, bindings: &_| bind_group_layout(device, label, ShaderStages::COMPUTE, bindings);
         let sky_layout = layout(
-            device,
             "sky",
             &[
                 texture_binding(TextureViewDimension::Cube, true),
@@ -46,7 +47,7 @@ impl Renderer {
         );
         let frame_layout = |label, output| {
             let row = texture_binding(TextureViewDimension::D1, false);
-            layout(device, label, &[frame_binding(), row, output])
+            layout(label, &[frame_binding(), row, output])
         };
         let renderer = Renderer {
             sky: sky_bind_group(gpu, &sky_layout, sky),
@@ -229,13 +230,18 @@ fn sky_bind_group(gpu: &Gpu, layout: &BindGroupLayout, sky: &Sky) -> BindGroup {
     })
 }
 
-/// A layout of `bindings` in their order, for compute shaders.
-fn layout(device: &Device, label: &str, bindings: &[BindingType]) -> BindGroupLayout {
+/// A layout of `bindings` in their order.
+pub(super) fn bind_group_layout(
+    device: &Device,
+    label: &str,
+    visibility: ShaderStages,
+    bindings: &[BindingType],
+) -> BindGroupLayout {
     let entries: Vec<BindGroupLayoutEntry> = (0..)
         .zip(bindings)
         .map(|(binding, &ty)| BindGroupLayoutEntry {
             binding,
-            visibility: ShaderStages::COMPUTE,
+            visibility,
             ty,
             count: None,
         })
@@ -266,7 +272,10 @@ fn storage_buffer_binding() -> BindingType {
     }
 }
 
-fn texture_binding(view_dimension: TextureViewDimension, filterable: bool) -> BindingType {
+pub(super) fn texture_binding(
+    view_dimension: TextureViewDimension,
+    filterable: bool,
+) -> BindingType {
     BindingType::Texture {
         sample_type: TextureSampleType::Float { filterable },
         view_dimension,
