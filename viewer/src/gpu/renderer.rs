@@ -4,16 +4,18 @@ use super::canvas::storage_texture_binding;
 use super::{Gpu, GpuError, Output, Prepared, Store, Target, shader_source};
 use crate::picture::Picture;
 use crate::scene::{Method, Scene};
-use crate::sky::Sky;
+use crate::sky::{Cube, Sky};
 use glam::{DVec3, Vec3};
 use lensbake_core::Fate;
 use lensbake_tables::Row;
-use wgpu::util::DeviceExt;
 use wgpu::*;
 
 /// Where the light of each pixel comes from: unit directions in the hole frame, row-major
 /// `[height][width]`.
 pub type Trace = Vec<Fate<DVec3>>;
+
+/// Bytes of a texel of the sky.
+const SKY_TEXEL: u32 = size_of::<[half::f16; 4]>() as u32;
 
 /// A renderer on one device, with one sky.
 #[derive(Debug)]
@@ -165,27 +167,36 @@ impl Renderer {
     }
 }
 
-/// The sky as a cube texture with seamless bilinear filtering.
+/// The sky as a cube texture with its mip chain and seamless trilinear filtering.
 fn sky_bind_group(gpu: &Gpu, layout: &BindGroupLayout, sky: &Sky) -> BindGroup {
-    let texture = gpu.device.create_texture_with_data(
-        &gpu.queue,
-        &TextureDescriptor {
-            label: Some("sky"),
-            size: Extent3d {
-                width: sky.face_texels(),
-                height: sky.face_texels(),
-                depth_or_array_layers: 6,
-            },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: TextureDimension::D2,
-            format: TextureFormat::Rgba16Float,
-            usage: TextureUsages::TEXTURE_BINDING,
-            view_formats: &[],
-        },
-        util::TextureDataOrder::LayerMajor,
-        bytemuck::cast_slice(sky.texels()),
-    );
+    let size = |cube: &Cube| Extent3d {
+        width: cube.face_texels(),
+        height: cube.face_texels(),
+        depth_or_array_layers: 6,
+    };
+    let texture = gpu.device.create_texture(&TextureDescriptor {
+        label: Some("sky"),
+        size: size(&sky.levels()[0]),
+        mip_level_count: sky.levels().len() as u32,
+        sample_count: 1,
+        dimension: TextureDimension::D2,
+        format: TextureFormat::Rgba16Float,
+        usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
+        view_formats: &[],
+    });
+    for (mip_level, cube) in (0..).zip(sky.levels()) {
+        let place = TexelCopyTextureInfo {
+            mip_level,
+            ..texture.as_image_copy()
+        };
+        let bytes = bytemuck::cast_slice(cube.texels());
+        let layout = TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(SKY_TEXEL * cube.face_texels()),
+            rows_per_image: Some(cube.face_texels()),
+        };
+        gpu.queue.write_texture(place, bytes, layout, size(cube));
+    }
     let view = texture.create_view(&TextureViewDescriptor {
         dimension: Some(TextureViewDimension::Cube),
         ..Default::default()
@@ -193,6 +204,7 @@ fn sky_bind_group(gpu: &Gpu, layout: &BindGroupLayout, sky: &Sky) -> BindGroup {
     let sampler = gpu.device.create_sampler(&SamplerDescriptor {
         mag_filter: FilterMode::Linear,
         min_filter: FilterMode::Linear,
+        mipmap_filter: MipmapFilterMode::Linear,
         ..Default::default()
     });
     gpu.device.create_bind_group(&BindGroupDescriptor {
