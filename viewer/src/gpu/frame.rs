@@ -1,6 +1,7 @@
 //! The uniform block of a frame. A test holds its layout to what naga makes of `frame.wgsl`.
 
 use crate::scene::{Method, Scene};
+use crate::shadow::Shadow;
 use glam::DVec3;
 use lensbake_tables::lookup::Edge;
 
@@ -26,22 +27,25 @@ pub struct Frame {
     sky_x: [f32; 3],
     gain: f32,
     sky_y: [f32; 3],
-    padding: f32,
+    half_edge_cos: f32,
     sky_z: [f32; 3],
-    padding_2: f32,
+    half_edge_sin: f32,
     edge: [f32; 2],
     size: [u32; 2],
     first: [u32; 2],
     count: [u32; 2],
+    lists: [u32; 3],
+    padding: u32,
 }
 
 impl Frame {
-    /// One tile of a scene's picture. `gain` amplifies a difference; nothing else reads it. A scene
-    /// whose own method takes no steps has a direct integrator beside it in the default step.
-    pub fn new(scene: &Scene, tile: Tile, gain: f32) -> Self {
+    /// One tile of a scene's picture. `gain` amplifies a difference; nothing else reads it. `lists` are
+    /// where the tile's lists of blocks start if the picture is filtered. A scene whose own method takes no steps has a direct integrator beside it in the default step.
+    pub fn new(scene: &Scene, tile: Tile, gain: f32, lists: [u32; 3]) -> Self {
         let vector = |v: DVec3| v.as_vec3().to_array();
         let camera = &scene.camera;
         let edge = Edge::of(&camera.observer);
+        let shadow = Shadow::of(scene);
         Frame {
             right: vector(camera.right),
             u: camera.observer.inverse_radius() as f32,
@@ -55,13 +59,15 @@ impl Frame {
             sky_x: vector(camera.sky_from_hole.x_axis),
             gain,
             sky_y: vector(camera.sky_from_hole.y_axis),
-            padding: 0.0,
+            half_edge_cos: shadow.half_cos as f32,
             sky_z: vector(camera.sky_from_hole.z_axis),
-            padding_2: 0.0,
+            half_edge_sin: shadow.half_sin as f32,
             edge: [edge.tan_half, edge.log_weight],
             size: [camera.width, camera.height],
             first: tile.first,
             count: tile.count,
+            lists,
+            padding: 0,
         }
     }
 }
@@ -70,6 +76,7 @@ impl Frame {
 mod tests {
     use super::*;
     use crate::gpu::shader::{Output, Store, shader_source};
+    use crate::scene::Sampling;
     use lensbake_tables::Interpolation;
     use std::mem::offset_of;
 
@@ -78,6 +85,7 @@ mod tests {
         let source = shader_source(
             Method::Flat,
             Output::Trace,
+            Sampling::Single,
             Store::Buffer,
             64,
             Interpolation::Hermite,
@@ -104,8 +112,23 @@ mod tests {
             };
         }
         same_offsets!(
-            right, u, down, lapse, forward, step, sky_x, gain, sky_y, sky_z, edge, size, first,
-            count
+            right,
+            u,
+            down,
+            lapse,
+            forward,
+            step,
+            sky_x,
+            gain,
+            sky_y,
+            half_edge_cos,
+            sky_z,
+            half_edge_sin,
+            edge,
+            size,
+            first,
+            count,
+            lists
         );
         assert_eq!(span as usize, size_of::<Frame>());
     }

@@ -1,5 +1,6 @@
 //! The GPU: the device, and the renderer that draws a [`crate::scene::Scene`] on it.
 
+mod blocks;
 mod canvas;
 mod device;
 mod frame;
@@ -12,6 +13,6 @@ pub use canvas::{Canvas, Target};
 pub use device::{Gpu, GpuError};
 pub use frame::{Frame, Tile};
 pub use prepared::{Prepared, band_pixels};
-pub use renderer::{Renderer, Trace};
-pub use shader::{Output, Store, shader_source};
+pub use renderer::{Program, Renderer, Trace};
+pub use shader::{Output, Store, entry_points, shader_source};
 pub use timer::{FrameTime, Timer};

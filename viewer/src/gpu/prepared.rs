@@ -1,7 +1,7 @@
 //! A scene made ready on a GPU to be drawn and read back, in bands of rows: a driver resets a GPU that is
 //! busy for seconds.
 
-use super::renderer::Renderer;
+use super::renderer::{Program, Renderer};
 use super::{Canvas, Output, Store, Tile};
 use crate::scene::{Method, Scene};
 use std::f64::consts::PI;
@@ -12,10 +12,10 @@ const BUFFERED: u32 = 1 << 20;
 /// Ray steps of a band at the most, for direct integration: a fraction of a second on a small GPU.
 const BAND_STEPS: f64 = 1e8;
 
-/// A scene's pipeline and its canvas.
+/// A scene's program and its canvas.
 #[derive(Debug)]
 pub struct Prepared {
-    pipeline: ComputePipeline,
+    program: Program,
     canvas: Canvas,
 }
 
@@ -33,7 +33,7 @@ impl Prepared {
         let mut canvas = Canvas::on_buffer(renderer, &scene.row, pixels, bands.into());
         canvas.show(scene, whole.bands(most_pixels), 1.0);
         Prepared {
-            pipeline: renderer.pipeline(scene.method, output, Store::Buffer, &scene.row),
+            program: renderer.program(scene, output, Store::Buffer),
             canvas,
         }
     }
@@ -55,8 +55,7 @@ impl Prepared {
         band: usize,
         timestamps: Option<ComputePassTimestampWrites>,
     ) {
-        self.canvas
-            .encode(encoder, &self.pipeline, band, timestamps);
+        self.canvas.encode(encoder, &self.program, band, timestamps);
     }
 }
 

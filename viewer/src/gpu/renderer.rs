@@ -1,13 +1,12 @@
 //! Draws scenes on a GPU.
 
 use super::canvas::storage_texture_binding;
-use super::{Gpu, GpuError, Output, Prepared, Store, Target, shader_source};
+use super::{Gpu, GpuError, Output, Prepared, Store, Target, Tile, entry_points, shader_source};
 use crate::picture::Picture;
-use crate::scene::{Method, Scene};
+use crate::scene::Scene;
 use crate::sky::{Cube, Sky};
 use glam::{DVec3, Vec3};
 use lensbake_core::Fate;
-use lensbake_tables::Row;
 use wgpu::*;
 
 /// Where the light of each pixel comes from: unit directions in the hole frame, row-major
@@ -17,11 +16,20 @@ pub type Trace = Vec<Fate<DVec3>>;
 /// Bytes of a texel of the sky.
 const SKY_TEXEL: u32 = size_of::<[half::f16; 4]>() as u32;
 
+/// What draws the tiles of a canvas.
+#[derive(Debug)]
+pub struct Program {
+    pub(super) name: &'static str,
+    /// One for every pixel, or one for each list of blocks.
+    pub(super) pipelines: Vec<ComputePipeline>,
+}
+
 /// A renderer on one device, with one sky.
 #[derive(Debug)]
 pub struct Renderer {
     pub(super) gpu: Gpu,
     pub(super) sky: BindGroup,
+    pub(super) face_texels: u32,
     sky_layout: BindGroupLayout,
     buffer_layout: BindGroupLayout,
     texture_layout: BindGroupLayout,
@@ -44,12 +52,14 @@ impl Renderer {
         );
         let frame_layout = |label, output| {
             let row = texture_binding(TextureViewDimension::D1, false);
-            layout(device, label, &[frame_binding(), row, output])
+            let blocks = storage_buffer_binding(true);
+            layout(device, label, &[frame_binding(), row, output, blocks])
         };
         let renderer = Renderer {
             sky: sky_bind_group(gpu, &sky_layout, sky),
+            face_texels: sky.face_texels(),
             sky_layout,
-            buffer_layout: frame_layout("frame to a buffer", storage_buffer_binding()),
+            buffer_layout: frame_layout("frame to a buffer", storage_buffer_binding(false)),
             texture_layout: frame_layout("frame to a texture", storage_texture_binding()),
             gpu: gpu.clone(),
         };
@@ -70,19 +80,19 @@ impl Renderer {
         }
     }
 
-    /// The pipeline that draws `output` by `method` with rows of the shape of `row`. Compiles: nothing to
-    /// do in a frame.
-    pub fn pipeline(
-        &self,
-        method: Method,
-        output: Output,
-        store: Store,
-        row: &Row,
-    ) -> ComputePipeline {
+    /// The program that draws `output` by the method and the sampling of `scene` with rows of the shape
+    /// of its row. Compiles: nothing to do in a frame.
+    pub fn program(&self, scene: &Scene, output: Output, store: Store) -> Program {
         let device = &self.gpu.device;
-        let (texels, interpolation) = (row.texel_count(), row.interpolation());
-        let source = shader_source(method, output, store, texels, interpolation);
-        let label = Some(output.entry_point());
+        let source = shader_source(
+            scene.method,
+            output,
+            scene.sampling,
+            store,
+            scene.row.texel_count(),
+            scene.row.interpolation(),
+        );
+        let label = Some(output.name());
         let module = device.create_shader_module(ShaderModuleDescriptor {
             label,
             source: ShaderSource::Wgsl(source.into()),
@@ -92,14 +102,21 @@ impl Renderer {
             bind_group_layouts: &[Some(self.frame_layout(store)), Some(&self.sky_layout)],
             immediate_size: 0,
         });
-        device.create_compute_pipeline(&ComputePipelineDescriptor {
-            label,
-            layout: Some(&layout),
-            module: &module,
-            entry_point: label,
-            compilation_options: Default::default(),
-            cache: None,
-        })
+        let pipeline = |entry_point: &&str| {
+            device.create_compute_pipeline(&ComputePipelineDescriptor {
+                label: Some(entry_point),
+                layout: Some(&layout),
+                module: &module,
+                entry_point: Some(entry_point),
+                compilation_options: Default::default(),
+                cache: None,
+            })
+        };
+        let entry_points = entry_points(output, scene.sampling);
+        Program {
+            name: output.name(),
+            pipelines: entry_points.iter().map(pipeline).collect(),
+        }
     }
 
     /// Draws the picture of a scene. `band_done` is called with the rows of pixels done so far.
@@ -141,6 +158,25 @@ impl Renderer {
         output: Output,
         band_done: impl Fn(u32),
     ) -> Result<Vec<[f32; 4]>, GpuError> {
+        let mut pixels = Vec::with_capacity(scene.camera.pixels());
+        self.stream(scene, output, |band, written| {
+            pixels.extend(written);
+            band_done(band.first[1] + band.count[1]);
+        })?;
+        Ok(pixels)
+    }
+
+    /// Draws a scene and calls `take` with each of its bands, from the top down, and the band's pixels:
+    /// for pictures too large to be kept.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`] if the device does.
+    pub fn stream(
+        &self,
+        scene: &Scene,
+        output: Output,
+        mut take: impl FnMut(Tile, &[[f32; 4]]),
+    ) -> Result<(), GpuError> {
         let Gpu { device, queue, .. } = &self.gpu;
         let prepared = self.prepare(scene, output);
         let Target::Buffer(written) = prepared.canvas().target() else {
@@ -152,18 +188,16 @@ impl Renderer {
             usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
             mapped_at_creation: false,
         });
-        let mut pixels = Vec::with_capacity(scene.camera.pixels());
-        for (i, band) in prepared.bands().iter().enumerate() {
+        for (i, &band) in prepared.bands().iter().enumerate() {
             let mut encoder = device.create_command_encoder(&Default::default());
             prepared.encode(&mut encoder, i, None);
             encoder.copy_buffer_to_buffer(written, 0, &read_back, 0, read_back.size());
             queue.submit([encoder.finish()]);
             let written: Vec<[f32; 4]> = self.gpu.read(&read_back)?;
             let [width, rows] = band.count;
-            pixels.extend(&written[..rows as usize * width as usize]);
-            band_done(band.first[1] + rows);
+            take(band, &written[..rows as usize * width as usize]);
         }
-        Ok(pixels)
+        Ok(())
     }
 }
 
@@ -246,9 +280,9 @@ fn frame_binding() -> BindingType {
     }
 }
 
-fn storage_buffer_binding() -> BindingType {
+fn storage_buffer_binding(read_only: bool) -> BindingType {
     BindingType::Buffer {
-        ty: BufferBindingType::Storage { read_only: false },
+        ty: BufferBindingType::Storage { read_only },
         has_dynamic_offset: false,
         min_binding_size: None,
     }
