@@ -2,7 +2,7 @@
 //!
 //! Away from the shadow's edge a pixel is one ray with its footprint. Beside the edge the footprint
 //! changes within the pixel (at δ pixels from the edge it is 1/δ rad long, whatever the picture's size)
-//! and infinitely many images of the sky crowd together; such pixels are cut into 4 × 4 patches, each a
+//! and infinitely many images of the sky crowd together; such pixels are cut into 3 × 3 patches, each a
 //! ray with its own footprint. The part of a patch that lies in the shadow is known from the distance
 //! to the edge, and the ray goes through the middle of the other part.
 
@@ -17,7 +17,11 @@ use lensbake_core::Fate;
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Rays along the side of a pixel beside the edge.
-pub const SUB_RAYS: u32 = 4;
+pub const SUB_RAYS: u32 = 3;
+/// Taps along the long axis of a ray's footprint at the most: if it is its pixel's only ray, and beside
+/// the edge.
+const MOST_TAPS: u32 = 16;
+const MOST_TAPS_BESIDE_EDGE: u32 = 8;
 /// Pixels from the edge, outside and inside the shadow, within which a pixel has that many.
 const NEAR_OUTSIDE: f64 = 3.0;
 const NEAR_INSIDE: f64 = 1.0;
@@ -72,9 +76,16 @@ impl<'a> Pixels<'a> {
         let whole = self.patch(at, 1.0);
         match self.kind(&whole) {
             Kind::Shadow => Vec4::ZERO,
-            Kind::Sky => self.sky_light(sky, &whole),
+            Kind::Sky => self.sky_light(sky, &whole, MOST_TAPS),
             Kind::Edge => self.edge_light(sky, at),
         }
+    }
+
+    /// The distance of the middle of pixel (column, row) from the shadow's edge in pixels, positive
+    /// outside.
+    pub fn edge_distance(&self, column: u32, row: u32) -> f64 {
+        let whole = self.patch(self.scene.camera.position(column, row), 1.0);
+        self.shadow.distance(whole.sight) / whole.gradient()
     }
 
     /// How many rays pixel (column, row) takes beyond one.
@@ -170,21 +181,21 @@ impl<'a> Pixels<'a> {
             let part = self.shadow.sky_part(self.shadow.distance(patch.sight), px);
             if part.covered > 0.0 {
                 let patch = patch.moved(part.shift * px, part.extent);
-                sum += part.covered as f32 * self.sky_light(sky, &patch);
+                sum += part.covered as f32 * self.sky_light(sky, &patch, MOST_TAPS_BESIDE_EDGE);
             }
         }
         sum / (SUB_RAYS * SUB_RAYS) as f32
     }
 
     /// The mean light of a patch that sees nothing but sky, alpha 1; 0 if its ray is captured.
-    fn sky_light(&self, sky: &Sky, patch: &Patch) -> Vec4 {
+    fn sky_light(&self, sky: &Sky, patch: &Patch, most_taps: u32) -> Vec4 {
         let Fate::Escapes(turned) = deflect(self.scene, patch.sight) else {
             return Vec4::ZERO;
         };
         let footprint = patch
             .footprint(turned)
             .in_frame(&self.scene.camera.sky_from_hole);
-        let taps = footprint.taps(sky.face_texels().into());
+        let taps = footprint.taps(sky.face_texels().into(), most_taps);
         let sample = |direction: DVec3| sky.sample_level(direction.as_vec3(), taps.level as f32);
         let sum: Vec3 = taps.directions(footprint.direction).map(sample).sum();
         (sum / taps.count as f32).extend(1.0)

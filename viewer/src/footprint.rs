@@ -5,8 +5,8 @@
 //! row's slope gives, and the second by sin θ′/sin θ. So the two steps on the sky are known at one ray,
 //! without a look at the neighbours. Twin of `shaders/footprint.wgsl`.
 //!
-//! **The filter.** A mip level is chosen for the short axis of the footprint, and up to [`MOST_TAPS`]
-//! trilinear taps are spread along the long one. Sizes follow from second moments: a pixel W texels
+//! **The filter.** A mip level is chosen for the short axis of the footprint, and trilinear taps are spread
+//! along the long one; where their greatest number does not reach, the level is raised. Sizes follow from second moments: a pixel W texels
 //! wide, seen bilinearly, spreads by W²/12 + 1/6 texels², and a bilinear tap at level L, whose texels
 //! are means of 4^L, by 4^L/4. Where these are equal, 4^L = (W² + 2)/3. The taps supply what the long
 //! axis has beyond that: as a row of length E with E² = W² + 2 − 3·4^L.
@@ -16,13 +16,11 @@ use crate::deflect::Turned;
 use glam::{DMat3, DVec2, DVec3};
 use std::f64::consts::TAU;
 
-/// Taps along the long axis at the most; where they do not reach, the level is raised.
-pub const MOST_TAPS: u32 = 16;
 /// Distance of two taps at the most, in texels of their level.
 const SPACING: f64 = 1.5;
 /// A footprint of less than this squared length in texels is one bilinear tap: the magnified sky, most
 /// of a picture.
-pub(crate) const ONE_TAP_SQ: f64 = 1.5;
+pub(crate) const ONE_TAP_SQ: f64 = 2.0;
 
 /// A patch of the picture as a view direction with its steps, in the hole frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -130,8 +128,8 @@ impl Footprint {
         }
     }
 
-    /// The taps that average the cube map of `face_texels` over the footprint, in the frame of the cube.
-    pub fn taps(&self, face_texels: f64) -> Taps {
+    /// At most `most` taps that average the cube map of `face_texels` over the footprint, in the frame of the cube.
+    pub fn taps(&self, face_texels: f64, most: u32) -> Taps {
         let one = Taps {
             level: 0.0,
             count: 1,
@@ -140,8 +138,10 @@ impl Footprint {
         };
         let size = self.direction.abs();
         let depth = size.max_element();
-        let most = 0.5 * face_texels / (depth * depth);
-        if (self.right.length_squared() + self.down.length_squared()) * most * most < ONE_TAP_SQ {
+        let density = 0.5 * face_texels / (depth * depth);
+        if (self.right.length_squared() + self.down.length_squared()) * density * density
+            < ONE_TAP_SQ
+        {
             return one;
         }
         let on_face = OnFace::new(self.direction, face_texels);
@@ -168,13 +168,13 @@ impl Footprint {
         let angle = arc.length() * round;
         long_sq *= round * round;
 
-        let reach = SPACING * f64::from(MOST_TAPS);
+        let reach = SPACING * f64::from(most);
         let texels_sq = ((short_sq + 2.0) / 3.0)
             .max(long_sq / (reach * reach))
             .clamp(1.0, face_texels * face_texels);
         let length = (long_sq + 2.0 - 3.0 * texels_sq).max(0.0).sqrt();
         let wanted = (length / (SPACING * texels_sq.sqrt())).ceil();
-        let count = wanted.clamp(1.0, f64::from(MOST_TAPS));
+        let count = wanted.clamp(1.0, f64::from(most));
         // n points a step s apart spread as a row of the length s √(n² − 1).
         let step = length / (count * count - 1.0).max(1.0).sqrt() * (angle / long_sq.sqrt());
         Taps {

@@ -7,7 +7,7 @@ mod plane;
 mod timing;
 
 pub use contenders::{Contender, Family, contenders};
-pub use timing::{FrameTimes, interleaved};
+pub use timing::FrameTimes;
 
 use crate::diff::{Reference, TraceStatistics};
 use crate::gpu::{Gpu, GpuError, Output, Prepared, Renderer};

@@ -3,6 +3,7 @@
 pub mod chart;
 pub mod diff;
 mod least;
+pub mod reference;
 pub mod render;
 
 use crate::cli::{DeviceName, SceneArgs};
@@ -15,6 +16,7 @@ use viewer::camera::{Camera, CameraError};
 use viewer::chart::ChartError;
 use viewer::gpu::{Gpu, GpuError};
 use viewer::picture::PictureError;
+use viewer::reference::StudyError;
 use viewer::scene::{Method, Scene, SceneError};
 use viewer::sky::SkyError;
 
@@ -47,6 +49,9 @@ pub enum CommandError {
     /// The chart.
     #[error(transparent)]
     Chart(#[from] ChartError),
+    /// The study of the filter.
+    #[error(transparent)]
+    Study(#[from] StudyError),
     /// A folder to write to.
     #[error("{}: {_1}", _0.display())]
     Folder(PathBuf, io::Error),

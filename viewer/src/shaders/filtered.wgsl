@@ -2,7 +2,11 @@
 // each for the blocks of pixels that need no more; gpu/blocks.rs makes the lists.
 
 // Rays along the side of a pixel beside the edge.
-const SUB_RAYS: u32 = 4u;
+const SUB_RAYS: u32 = 3u;
+// Taps along the long axis of a ray's footprint at the most: if it is its pixel's only ray, and beside
+// the edge.
+const MOST_TAPS: f32 = 16.0;
+const MOST_TAPS_BESIDE_EDGE: f32 = 8.0;
 // Pixels from the edge, outside and inside the shadow, within which a pixel has that many.
 const NEAR_OUTSIDE: f32 = 3.0;
 const NEAR_INSIDE: f32 = 1.0;
@@ -35,7 +39,7 @@ fn in_sky_frame(v: vec3<f32>) -> vec3<f32> {
 }
 
 // The mean light of a patch that sees nothing but sky, alpha 1; 0 if its ray is captured.
-fn patch_light(seen: Patch) -> vec4<f32> {
+fn patch_light(seen: Patch, most_taps: f32) -> vec4<f32> {
     let turned = deflect(seen.c, seen.p);
     if turned.fate != ESCAPES {
         return vec4(0.0);
@@ -46,7 +50,7 @@ fn patch_light(seen: Patch) -> vec4<f32> {
         in_sky_frame(in_hole.right),
         in_sky_frame(in_hole.down),
     );
-    let spread = taps(print, f32(textureDimensions(sky).x));
+    let spread = taps(print, f32(textureDimensions(sky).x), most_taps);
     // From tap to tap the direction turns by the same angle.
     let first = cos_sin(-0.5 * (spread.count - 1.0) * spread.step);
     let step = cos_sin(spread.step);
@@ -87,10 +91,10 @@ fn one_ray(
     if !in_tile(id) {
         return;
     }
-    store(id.xy, patch_light(patch_at(position(id), 1.0)));
+    store(id.xy, patch_light(patch_at(position(id), 1.0), MOST_TAPS));
 }
 
-// Beside the edge: no ray a pixel, one, or one for each of 4 × 4 patches.
+// Beside the edge: no ray a pixel, one, or one for each of 3 × 3 patches.
 @compute @workgroup_size(8, 8)
 fn many_rays(
     @builtin(workgroup_id) workgroup: vec3<u32>,
@@ -105,8 +109,10 @@ fn many_rays(
     let whole = patch_at(at, 1.0);
     let distance = shadow_distance(whole.c, whole.p, half_edge) / gradient(whole);
     var along = SUB_RAYS;
+    var most_taps = MOST_TAPS_BESIDE_EDGE;
     if distance >= NEAR_OUTSIDE {
         along = 1u;
+        most_taps = MOST_TAPS;
     } else if distance < -NEAR_INSIDE {
         along = 0u;
     }
@@ -118,7 +124,8 @@ fn many_rays(
         let px = gradient(square);
         let part = sky_part(shadow_distance(square.c, square.p, half_edge), px, half_edge);
         if part.covered > 0.0 {
-            sum += part.covered * patch_light(moved(square, part.shift * px, part.extent));
+            let outside = moved(square, part.shift * px, part.extent);
+            sum += part.covered * patch_light(outside, most_taps);
         }
     }
     store(id.xy, sum * (side * side));

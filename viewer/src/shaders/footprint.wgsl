@@ -1,12 +1,10 @@
 // The patch of sky that a patch of the picture covers, and how to average over it. Twin of footprint.rs,
 // which derives the formulae.
 
-// Taps along the long axis at the most.
-const MOST_TAPS: f32 = 16.0;
 // Distance of two taps at the most, in texels of their level.
 const SPACING: f32 = 1.5;
 // A footprint of less than this squared length in texels is one bilinear tap.
-const ONE_TAP_SQ: f32 = 1.5;
+const ONE_TAP_SQ: f32 = 2.0;
 const TURN: f32 = 6.2831855;
 
 // A patch of the picture: its unit view direction in the hole frame with cos θ = c and sin θ = p, the
@@ -86,8 +84,8 @@ fn texels_on_face(step: vec3<f32>, d: vec3<f32>, axis: vec3<f32>, face_texels: f
     return (step - d * (dot(step, axis) * inverse)) * (abs(inverse) * 0.5 * face_texels);
 }
 
-// The taps that average the cube map over a footprint, in the frame of the cube.
-fn taps(print: Footprint, face_texels: f32) -> Taps {
+// At most `most` taps that average the cube map over a footprint, in the frame of the cube.
+fn taps(print: Footprint, face_texels: f32, most: f32) -> Taps {
     let size = abs(print.d);
     let depth = max(size.x, max(size.y, size.z));
     let density = 0.5 * face_texels / (depth * depth);
@@ -116,14 +114,14 @@ fn taps(print: Footprint, face_texels: f32) -> Taps {
     let round_sky = min(TURN / length_of_arc, 1.0);
     long_sq *= round_sky * round_sky;
 
-    let reach = SPACING * MOST_TAPS;
+    let reach = SPACING * most;
     let texels_sq = clamp(
         max((short_sq + 2.0) / 3.0, long_sq / (reach * reach)),
         1.0,
         face_texels * face_texels,
     );
     let length_sq = max(long_sq + 2.0 - 3.0 * texels_sq, 0.0);
-    let count = clamp(ceil(sqrt(length_sq / texels_sq) / SPACING), 1.0, MOST_TAPS);
+    let count = clamp(ceil(sqrt(length_sq / texels_sq) / SPACING), 1.0, most);
     // n points a step s apart spread as a row of the length s √(n² − 1).
     let spread = sqrt(length_sq / (max(count * count - 1.0, 1.0) * long_sq));
     return Taps(
