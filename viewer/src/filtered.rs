@@ -26,8 +26,8 @@ const MOST_TAPS_BESIDE_EDGE: u32 = 8;
 const NEAR_OUTSIDE: f64 = 3.0;
 const NEAR_INSIDE: f64 = 1.0;
 
-/// What the pixels of a square take at the most.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// What the pixels of a square take at the most; what takes more is greater.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Need {
     /// One bilinear tap, or none: the sky is magnified, or they are dark.
     OneTap,
@@ -275,6 +275,69 @@ mod tests {
             }
         }
         assert_eq!(checked, 20);
+    }
+
+    /// What a pixel takes by itself.
+    fn need_of_pixel(pixels: &Pixels, column: u32, row: u32, face_texels: f64) -> Need {
+        let scene = pixels.scene;
+        let patch = pixels.patch(scene.camera.position(column, row), 1.0);
+        match (pixels.kind(&patch), deflect(scene, patch.sight)) {
+            (Kind::Edge, _) => Need::ManyRays,
+            (Kind::Sky, Fate::Escapes(turned)) => {
+                let footprint = patch
+                    .footprint(turned)
+                    .in_frame(&scene.camera.sky_from_hole);
+                let taps = footprint.taps(face_texels, MOST_TAPS);
+                if taps.count == 1 && taps.level == 0.0 {
+                    Need::OneTap
+                } else {
+                    Need::OneRay
+                }
+            }
+            _ => Need::OneTap,
+        }
+    }
+
+    #[test]
+    fn a_square_takes_what_any_of_its_pixels_does() {
+        const BLOCK: u32 = 8;
+        let mut seen = [0; 3];
+        for (radius, yaw_deg, fov_deg, width) in [
+            (25.0, 0.0, 90.0, 240),
+            (1.2, 140.0, 90.0, 240),
+            (1.5, 180.0, 120.0, 160),
+            (3.0, 40.0, 175.0, 160),
+            (1000.0, 3.0, 20.0, 240),
+            (1e6, 0.01, 0.1, 160),
+        ] {
+            let view = View {
+                radius,
+                yaw_deg,
+                pitch_deg: 7.0 * fov_deg / 90.0,
+                fov_deg,
+                width,
+                height: width / 2,
+                ..View::default()
+            };
+            for method in [Method::Lut, Method::Flat] {
+                let scene = scene(view, method);
+                let pixels = Pixels::new(&scene);
+                // About one texel a pixel, where it matters.
+                let face_texels = 1.2 * f64::from(width) / (0.5 * fov_deg.to_radians()).tan();
+                for i in 0..width * width / 2 {
+                    let (column, row) = (i % width, i / width);
+                    let corner = DVec2::new((column & !7).into(), (row & !7).into());
+                    let square = pixels.need_of_square(corner, BLOCK.into(), face_texels);
+                    let pixel = need_of_pixel(&pixels, column, row, face_texels);
+                    assert!(
+                        square >= pixel,
+                        "{view:?} {method:?} ({column}, {row}): {square:?} {pixel:?}"
+                    );
+                    seen[square as usize] += 1;
+                }
+            }
+        }
+        assert!(seen.iter().all(|&n| n > 2000), "{seen:?}");
     }
 
     /// Along a row of pixels across the edge the coverage rises without a step.

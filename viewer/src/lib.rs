@@ -21,3 +21,4 @@ pub mod scene;
 pub mod shadow;
 pub mod sky;
 pub mod tone_map;
+pub mod window;

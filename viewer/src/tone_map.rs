@@ -2,6 +2,9 @@
 
 use glam::Vec3;
 
+/// The same for a GPU: `fn tone_map(light: vec3<f32>, exposure: f32) -> vec3<f32>`.
+pub const WGSL: &str = include_str!("shaders/tone_map.wgsl");
+
 /// Light up to here is left alone.
 const KNEE: f32 = 0.8;
 

@@ -5,8 +5,9 @@ pub mod diff;
 mod least;
 pub mod reference;
 pub mod render;
+pub mod window;
 
-use crate::cli::{DeviceName, SceneArgs};
+use crate::cli::{DeviceName, SceneArgs, ViewArgs};
 use lensbake_tables::{ContainerError, Table, container, default_atlas};
 use std::borrow::Cow;
 use std::io;
@@ -19,6 +20,7 @@ use viewer::picture::PictureError;
 use viewer::reference::StudyError;
 use viewer::scene::{Method, Scene, SceneError};
 use viewer::sky::SkyError;
+use viewer::window::WindowError;
 
 /// Why a command could not do its work.
 #[derive(Debug, Error)]
@@ -52,6 +54,9 @@ pub enum CommandError {
     /// The study of the filter.
     #[error(transparent)]
     Study(#[from] StudyError),
+    /// The window.
+    #[error(transparent)]
+    Window(#[from] WindowError),
     /// A folder to write to.
     #[error("{}: {_1}", _0.display())]
     Folder(PathBuf, io::Error),
@@ -65,20 +70,25 @@ pub enum CommandError {
 
 /// The scene that the arguments describe.
 fn scene(args: &SceneArgs, method: Method) -> Result<Scene, CommandError> {
-    let camera = Camera::new(&args.view())?;
-    let (table, name): (Cow<Table>, _) = match &args.table {
-        Some(path) => (
-            Cow::Owned(container::read(path)?),
-            path.display().to_string(),
-        ),
-        None => (Cow::Borrowed(default_atlas()), "the built-in atlas".into()),
-    };
+    let camera = Camera::new(&args.view.view(args.size))?;
+    let (table, name) = table(&args.view)?;
     Scene::new(camera, &table, method).map_err(|problem| match problem {
         SceneError::Step { .. } => CommandError::Scene {
             name: "--step".into(),
             problem,
         },
         _ => CommandError::Scene { name, problem },
+    })
+}
+
+/// The table that the arguments name, and what it is called.
+fn table(args: &ViewArgs) -> Result<(Cow<'static, Table>, String), CommandError> {
+    Ok(match &args.table {
+        Some(path) => (
+            Cow::Owned(container::read(path)?),
+            path.display().to_string(),
+        ),
+        None => (Cow::Borrowed(default_atlas()), "the built-in atlas".into()),
     })
 }
 

@@ -17,7 +17,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     let method = match args.method {
         MethodName::Lut => Method::Lut,
         MethodName::Direct => Method::Direct {
-            step: args.scene.step,
+            step: args.scene.view.step,
         },
         MethodName::Flat => Method::Flat,
     };
@@ -28,13 +28,13 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
         SamplingName::Filtered => Sampling::Filtered,
     };
     let mut scene = scene(&args.scene, method)?.sampled(sampling);
-    let sky = sky::load(&args.scene.sky)?;
+    let sky = sky::load(&args.scene.view.sky)?;
     let gpu = gpu(args.scene.device)?;
     let mut outcome = Outcome::Done;
     if args.explain || args.budget_px.is_some() {
         let choice = least::choice(&scene, budget_px, gpu.as_ref())?;
         if args.explain {
-            least::print(&choice, &scene, args.scene.step)?;
+            least::print(&choice, &scene, args.scene.view.step)?;
         }
         if args.budget_px.is_some() {
             if choice.chosen.is_none() {

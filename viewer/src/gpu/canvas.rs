@@ -2,10 +2,11 @@
 //! it is written to. Showing the next scene writes into these and makes nothing.
 
 use super::blocks::{BLOCK, LIST_WIDTH, List, append_lists};
-use super::renderer::{Program, Renderer, resource};
+use super::renderer::{Program, Renderer, SkyOnDevice, resource};
 use super::{Frame, Store, Tile};
 use crate::filtered::Pixels;
 use crate::scene::{Sampling, Scene};
+use crate::shadow::Shadow;
 use lensbake_tables::{Interpolation, Row, Texel};
 use wgpu::*;
 
@@ -29,14 +30,12 @@ pub struct Canvas {
     device: Device,
     queue: Queue,
     layout: BindGroupLayout,
-    sky: BindGroup,
     target: Target,
     row: Texture,
     shown: Option<Row>,
     frames: Buffer,
     frame_stride: u64,
     tiles: Vec<Tile>,
-    face_texels: u32,
     blocks: Buffer,
     /// The lists of each tile; none if the picture is not filtered.
     lists: Vec<[List; 3]>,
@@ -91,14 +90,12 @@ impl Canvas {
         Canvas {
             queue: renderer.gpu.queue.clone(),
             layout: layout.clone(),
-            sky: renderer.sky.clone(),
             target,
             row,
             shown: None,
             frames,
             frame_stride,
             tiles: Vec::new(),
-            face_texels: renderer.face_texels,
             blocks,
             lists: Vec::new(),
             bind_group,
@@ -117,20 +114,29 @@ impl Canvas {
     }
 
     /// Sets what the next dispatches draw: the scene, in these tiles. The row goes to the GPU only if
-    /// it is another than the last. `gain` amplifies a difference.
+    /// it is another than the last. `sky` is what they will be drawn before, `gain` amplifies a difference.
     ///
     /// # Panics
     /// If the scene's row has another shape than the canvas was made for.
-    pub fn show(&mut self, scene: &Scene, tiles: impl Iterator<Item = Tile>, gain: f32) {
+    pub fn show(
+        &mut self,
+        scene: &Scene,
+        sky: &SkyOnDevice,
+        tiles: impl Iterator<Item = Tile>,
+        gain: f32,
+    ) {
         self.tiles.clear();
         self.tiles.extend(tiles);
-        let blocks = self.list_blocks(scene);
+        let blocks = self.list_blocks(scene, sky.face_texels);
         self.grow(blocks.len() as u64);
         self.queue
             .write_buffer(&self.blocks, 0, bytemuck::cast_slice(&blocks));
+        let shadow = Shadow::of(scene);
+        let step = scene.method.integrator_step();
         for (i, &tile) in self.tiles.iter().enumerate() {
             let lists = self.lists.get(i).copied().unwrap_or_default();
-            let frame = Frame::new(scene, tile, gain, lists.map(|list| list.first));
+            let frame = Frame::new(&scene.camera, tile, step, gain)
+                .filtered(shadow, lists.map(|list| list.first));
             let offset = i as u64 * self.frame_stride;
             self.queue
                 .write_buffer(&self.frames, offset, bytemuck::bytes_of(&frame));
@@ -141,23 +147,25 @@ impl Canvas {
     }
 
     /// Lists the blocks of the tiles if the picture is filtered.
-    fn list_blocks(&mut self, scene: &Scene) -> Vec<u32> {
+    fn list_blocks(&mut self, scene: &Scene, face_texels: u32) -> Vec<u32> {
         self.lists.clear();
         let mut blocks = Vec::new();
         if scene.sampling == Sampling::Filtered {
             let pixels = Pixels::new(scene);
             for &tile in &self.tiles {
-                let lists = append_lists(&mut blocks, &pixels, tile, self.face_texels);
+                let lists = append_lists(&mut blocks, &pixels, tile, face_texels);
                 self.lists.push(lists);
             }
         }
         blocks
     }
 
-    /// Encodes the drawing of tile `index` by `program`; `timestamps` notes when it begins and ends.
-    pub fn encode(
+    /// Encodes the drawing of tile `index` by `program` before `sky`; `timestamps` notes when it begins
+    /// and ends.
+    pub(super) fn encode(
         &self,
         encoder: &mut CommandEncoder,
+        sky: &BindGroup,
         program: &Program,
         index: usize,
         timestamps: Option<ComputePassTimestampWrites>,
@@ -168,7 +176,7 @@ impl Canvas {
         });
         let offset = index as u64 * self.frame_stride;
         pass.set_bind_group(0, &self.bind_group, &[offset as u32]);
-        pass.set_bind_group(1, &self.sky, &[]);
+        pass.set_bind_group(1, sky, &[]);
         if let [pipeline] = &program.pipelines[..] {
             let [across, down] = self.tiles[index].count.map(|n| n.div_ceil(BLOCK));
             pass.set_pipeline(pipeline);

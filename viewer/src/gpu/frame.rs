@@ -1,6 +1,6 @@
 //! The uniform block of a frame. A test holds its layout to what naga makes of `frame.wgsl`.
 
-use crate::scene::{Method, Scene};
+use crate::camera::Camera;
 use crate::shadow::Shadow;
 use glam::DVec3;
 use lensbake_tables::lookup::Edge;
@@ -39,35 +39,40 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// One tile of a scene's picture. `gain` amplifies a difference; nothing else reads it. `lists` are
-    /// where the tile's lists of blocks start if the picture is filtered. A scene whose own method takes no steps has a direct integrator beside it in the default step.
-    pub fn new(scene: &Scene, tile: Tile, gain: f32, lists: [u32; 3]) -> Self {
+    /// One tile of a camera's picture. `step` is the direct integrator's, rad; `gain` amplifies a
+    /// difference. Nothing else reads these two.
+    pub fn new(camera: &Camera, tile: Tile, step: f64, gain: f32) -> Self {
         let vector = |v: DVec3| v.as_vec3().to_array();
-        let camera = &scene.camera;
         let edge = Edge::of(&camera.observer);
-        let shadow = Shadow::of(scene);
         Frame {
             right: vector(camera.right),
             u: camera.observer.inverse_radius() as f32,
             down: vector(camera.down),
             lapse: camera.observer.lapse() as f32,
             forward: vector(camera.forward),
-            step: match scene.method {
-                Method::Direct { step } => step as f32,
-                Method::Lut | Method::Flat => Method::DEFAULT_STEP as f32,
-            },
+            step: step as f32,
             sky_x: vector(camera.sky_from_hole.x_axis),
             gain,
             sky_y: vector(camera.sky_from_hole.y_axis),
-            half_edge_cos: shadow.half_cos as f32,
+            half_edge_cos: 0.0,
             sky_z: vector(camera.sky_from_hole.z_axis),
-            half_edge_sin: shadow.half_sin as f32,
+            half_edge_sin: 0.0,
             edge: [edge.tan_half, edge.log_weight],
             size: [camera.width, camera.height],
             first: tile.first,
             count: tile.count,
-            lists,
+            lists: [0; 3],
             padding: 0,
+        }
+    }
+
+    /// The same tile of a filtered picture: with this shadow, its lists of blocks starting at `lists`.
+    pub fn filtered(self, shadow: Shadow, lists: [u32; 3]) -> Self {
+        Frame {
+            half_edge_cos: shadow.half_cos as f32,
+            half_edge_sin: shadow.half_sin as f32,
+            lists,
+            ..self
         }
     }
 }
@@ -76,7 +81,7 @@ impl Frame {
 mod tests {
     use super::*;
     use crate::gpu::shader::{Output, Store, shader_source};
-    use crate::scene::Sampling;
+    use crate::scene::{Method, Sampling};
     use lensbake_tables::Interpolation;
     use std::mem::offset_of;
 
@@ -84,8 +89,8 @@ mod tests {
     fn the_layout_is_the_shaders() {
         let source = shader_source(
             Method::Flat,
-            Output::Trace,
             Sampling::Single,
+            Output::Trace,
             Store::Buffer,
             64,
             Interpolation::Hermite,

@@ -2,7 +2,7 @@
 //! busy for seconds.
 
 use super::renderer::{Program, Renderer};
-use super::{Canvas, Output, Store, Tile};
+use super::{Canvas, Output, Passes, Store, Tile};
 use crate::scene::{Method, Scene};
 use std::f64::consts::PI;
 use wgpu::*;
@@ -16,6 +16,7 @@ const BAND_STEPS: f64 = 1e8;
 #[derive(Debug)]
 pub struct Prepared {
     program: Program,
+    sky: BindGroup,
     canvas: Canvas,
 }
 
@@ -31,9 +32,16 @@ impl Prepared {
         };
         let bands = camera.height.div_ceil(rows);
         let mut canvas = Canvas::on_buffer(renderer, &scene.row, pixels, bands.into());
-        canvas.show(scene, whole.bands(most_pixels), 1.0);
+        canvas.show(scene, &renderer.sky, whole.bands(most_pixels), 1.0);
         Prepared {
-            program: renderer.program(scene, output, Store::Buffer),
+            program: renderer.program(
+                scene.method,
+                scene.sampling,
+                output,
+                Store::Buffer,
+                &scene.row,
+            ),
+            sky: renderer.sky.bind_group.clone(),
             canvas,
         }
     }
@@ -47,15 +55,21 @@ impl Prepared {
     pub fn canvas(&self) -> &Canvas {
         &self.canvas
     }
+}
 
-    /// Encodes the drawing of one band; `timestamps` notes when it begins and ends.
-    pub fn encode(
+impl Passes for Prepared {
+    fn count(&self) -> usize {
+        self.bands().len()
+    }
+
+    fn encode(
         &self,
         encoder: &mut CommandEncoder,
-        band: usize,
+        pass: usize,
         timestamps: Option<ComputePassTimestampWrites>,
     ) {
-        self.canvas.encode(encoder, &self.program, band, timestamps);
+        self.canvas
+            .encode(encoder, &self.sky, &self.program, pass, timestamps);
     }
 }
 

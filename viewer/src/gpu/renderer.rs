@@ -1,17 +1,27 @@
 //! Draws scenes on a GPU.
 
 use super::canvas::storage_texture_binding;
-use super::{Gpu, GpuError, Output, Prepared, Store, Target, Tile, entry_points, shader_source};
+use super::{
+    Gpu, GpuError, Output, Passes, Prepared, Store, Target, Tile, entry_points, shader_source,
+};
 use crate::picture::Picture;
-use crate::scene::Scene;
+use crate::scene::{Method, Sampling, Scene};
 use crate::sky::{Cube, Sky};
 use glam::{DVec3, Vec3};
 use lensbake_core::Fate;
+use lensbake_tables::Row;
 use wgpu::*;
 
 /// Where the light of each pixel comes from: unit directions in the hole frame, row-major
 /// `[height][width]`.
 pub type Trace = Vec<Fate<DVec3>>;
+
+/// A sky on the device; a clone is the same sky.
+#[derive(Debug, Clone)]
+pub struct SkyOnDevice {
+    pub(super) bind_group: BindGroup,
+    pub(super) face_texels: u32,
+}
 
 /// Bytes of a texel of the sky.
 const SKY_TEXEL: u32 = size_of::<[half::f16; 4]>() as u32;
@@ -28,8 +38,7 @@ pub struct Program {
 #[derive(Debug)]
 pub struct Renderer {
     pub(super) gpu: Gpu,
-    pub(super) sky: BindGroup,
-    pub(super) face_texels: u32,
+    pub(super) sky: SkyOnDevice,
     sky_layout: BindGroupLayout,
     buffer_layout: BindGroupLayout,
     texture_layout: BindGroupLayout,
@@ -56,8 +65,7 @@ impl Renderer {
             layout(device, label, &[frame_binding(), row, output, blocks])
         };
         let renderer = Renderer {
-            sky: sky_bind_group(gpu, &sky_layout, sky),
-            face_texels: sky.face_texels(),
+            sky: put_on_device(gpu, &sky_layout, sky),
             sky_layout,
             buffer_layout: frame_layout("frame to a buffer", storage_buffer_binding(false)),
             texture_layout: frame_layout("frame to a texture", storage_texture_binding()),
@@ -65,6 +73,26 @@ impl Renderer {
         };
         gpu.wait()?;
         Ok(renderer)
+    }
+
+    /// Puts another sky on the device.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`] if it does not fit.
+    pub fn upload(&self, sky: &Sky) -> Result<SkyOnDevice, GpuError> {
+        let sky = put_on_device(&self.gpu, &self.sky_layout, sky);
+        self.gpu.wait()?;
+        Ok(sky)
+    }
+
+    /// The sky that it draws before.
+    pub fn sky(&self) -> SkyOnDevice {
+        self.sky.clone()
+    }
+
+    /// Draws before this sky from now on.
+    pub fn set_sky(&mut self, sky: &SkyOnDevice) {
+        self.sky = sky.clone();
     }
 
     /// The device it draws on.
@@ -80,18 +108,19 @@ impl Renderer {
         }
     }
 
-    /// The program that draws `output` by the method and the sampling of `scene` with rows of the shape
-    /// of its row. Compiles: nothing to do in a frame.
-    pub fn program(&self, scene: &Scene, output: Output, store: Store) -> Program {
+    /// The program that draws `output` by `method` with rows of the shape of `row`; a picture by
+    /// `sampling`. Compiles: nothing to do in a frame.
+    pub fn program(
+        &self,
+        method: Method,
+        sampling: Sampling,
+        output: Output,
+        store: Store,
+        row: &Row,
+    ) -> Program {
         let device = &self.gpu.device;
-        let source = shader_source(
-            scene.method,
-            output,
-            scene.sampling,
-            store,
-            scene.row.texel_count(),
-            scene.row.interpolation(),
-        );
+        let (texels, interpolation) = (row.texel_count(), row.interpolation());
+        let source = shader_source(method, sampling, output, store, texels, interpolation);
         let label = Some(output.name());
         let module = device.create_shader_module(ShaderModuleDescriptor {
             label,
@@ -112,7 +141,7 @@ impl Renderer {
                 cache: None,
             })
         };
-        let entry_points = entry_points(output, scene.sampling);
+        let entry_points = entry_points(sampling, output);
         Program {
             name: output.name(),
             pipelines: entry_points.iter().map(pipeline).collect(),
@@ -202,7 +231,7 @@ impl Renderer {
 }
 
 /// The sky as a cube texture with its mip chain and seamless trilinear filtering.
-fn sky_bind_group(gpu: &Gpu, layout: &BindGroupLayout, sky: &Sky) -> BindGroup {
+fn put_on_device(gpu: &Gpu, layout: &BindGroupLayout, sky: &Sky) -> SkyOnDevice {
     let size = |cube: &Cube| Extent3d {
         width: cube.face_texels(),
         height: cube.face_texels(),
@@ -241,14 +270,18 @@ fn sky_bind_group(gpu: &Gpu, layout: &BindGroupLayout, sky: &Sky) -> BindGroup {
         mipmap_filter: MipmapFilterMode::Linear,
         ..Default::default()
     });
-    gpu.device.create_bind_group(&BindGroupDescriptor {
+    let bind_group = gpu.device.create_bind_group(&BindGroupDescriptor {
         label: Some("sky"),
         layout,
         entries: &[
             resource(0, BindingResource::TextureView(&view)),
             resource(1, BindingResource::Sampler(&sampler)),
         ],
-    })
+    });
+    SkyOnDevice {
+        bind_group,
+        face_texels: sky.face_texels(),
+    }
 }
 
 /// A layout of `bindings` in their order, for compute shaders.

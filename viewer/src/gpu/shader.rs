@@ -42,7 +42,7 @@ pub enum Store {
 
 /// The entry points of a shader: one, or the programs of a filtered picture, one for each
 /// [`crate::filtered::Need`].
-pub fn entry_points(output: Output, sampling: Sampling) -> &'static [&'static str] {
+pub fn entry_points(sampling: Sampling, output: Output) -> &'static [&'static str] {
     match (output, sampling) {
         (Output::Picture, Sampling::Single) => &["picture"],
         (Output::Picture, Sampling::Filtered) => &["one_tap", "one_ray", "many_rays"],
@@ -54,8 +54,8 @@ pub fn entry_points(output: Output, sampling: Sampling) -> &'static [&'static st
 /// The WGSL of one method and output, for rows of `texels` texels read by `interpolation`.
 pub fn shader_source(
     method: Method,
-    output: Output,
     sampling: Sampling,
+    output: Output,
     store: Store,
     texels: u32,
     interpolation: Interpolation,
@@ -135,8 +135,8 @@ mod tests {
                     for interpolation in reads {
                         for sampling in samplings {
                             let source =
-                                shader_source(method, output, sampling, store, 64, interpolation);
-                            validate(&source, entry_points(output, sampling));
+                                shader_source(method, sampling, output, store, 64, interpolation);
+                            validate(&source, entry_points(sampling, output));
                             validated += 1;
                         }
                     }

@@ -156,8 +156,8 @@ mod tests {
     fn counted(method: Method, interpolation: Interpolation) -> Count {
         let source = shader_source(
             method,
-            Output::Trace,
             Sampling::Single,
+            Output::Trace,
             Store::Buffer,
             64,
             interpolation,

@@ -89,7 +89,7 @@ fn draw_text(
     for (row, study) in (0..).zip(studies) {
         let errors = |what, entry: &Entry| {
             let (whole, edge) = (entry.error.whole.screen, entry.error.beside_edge.screen);
-            format!("{what}: off by {whole:.2}, at the edge {edge:.2}")
+            format!("{what}: off by {whole:.2}/255, at the edge {edge:.2}/255")
         };
         let texts = [
             format!("{}: reference", study.case.name),
