@@ -8,10 +8,9 @@ use viewer::camera::{Camera, View};
 use viewer::cpu;
 use viewer::diff::PictureDifference;
 use viewer::gpu::Renderer;
-use viewer::picture::Picture;
 use viewer::reference::{self, PictureError};
 use viewer::scene::{Method, Sampling, Scene};
-use viewer::sky::{self, Sky};
+use viewer::sky::{self, Sky, SkySource};
 
 fn scene(view: View, method: Method) -> Scene {
     Scene::new(Camera::new(&view).unwrap(), default_atlas(), method).unwrap()
@@ -27,40 +26,42 @@ fn small(radius: f64, yaw_deg: f64) -> View {
     }
 }
 
-/// The seed report's four radii, and the skies of a quarter of the resolution of those shipped: as in
-/// a picture four times as wide, a pixel is about half a texel.
-const VIEWS: [(f64, f64); 4] = [(50.0, 0.0), (10.0, 0.0), (5.0, 0.0), (2.0, 80.0)];
-
-fn skies() -> [(&'static str, Sky); 3] {
-    [
-        ("nebula", sky::nebula(256)),
-        ("starmap", sky::starmap(256)),
-        ("grid", sky::grid(256)),
-    ]
-}
-
-/// The bars of `viewer reference`, on the CPU in f64 and with 64 rays a pixel.
+/// What `viewer reference` measures, on the CPU in f64, with 64 rays a pixel and in small pictures across
+/// the edge with pixels as large as there. Turned about the hole, a picture may be harder than those that
+/// its bars are for: beside the edge it may be off by 6.
 #[test]
 fn the_filtered_picture_is_the_mean_of_many_rays() {
-    for (name, sky) in skies() {
-        for (radius, yaw_deg) in VIEWS {
-            let scene = scene(small(radius, yaw_deg), Method::Lut);
+    for source in [SkySource::Nebula, SkySource::Starmap, SkySource::Grid] {
+        let sky = sky::load(&source).unwrap();
+        for radius in [50.0, 10.0, 5.0, 2.0] {
+            let view = View {
+                orbit_deg: 30.0,
+                latitude_deg: 20.0,
+                fov_deg: 25.0,
+                ..small(radius, edge_deg(radius))
+            };
+            let scene = scene(view, Method::Lut);
             let many = reference::on_cpu(&scene, &sky, 8);
             let error = |sampling| {
                 let picture = cpu::render(&scene.sampled(sampling), &sky, || ());
                 PictureError::of(&scene, &picture, &many)
             };
             let (filtered, single) = (error(Sampling::Filtered), error(Sampling::Single));
-            let at = format!("{name}, r {radius}: {filtered:?} and {single:?}");
+            let at = format!("{source:?}, r {radius}: {filtered:?} and {single:?}");
             assert!(filtered.beside_edge.pixels > 500, "{at}");
             assert!(filtered.whole.screen < 1.0, "{at}");
-            assert!(filtered.beside_edge.screen < 4.0, "{at}");
+            assert!(filtered.beside_edge.screen < 6.0, "{at}");
             assert!(
-                2.0 * filtered.beside_edge.screen < single.beside_edge.screen,
+                3.0 * filtered.beside_edge.screen < single.beside_edge.screen,
                 "{at}"
             );
         }
     }
+}
+
+fn edge_deg(radius: f64) -> f64 {
+    let camera = Camera::new(&small(radius, 0.0)).unwrap();
+    camera.observer.edge_angle().to_degrees()
 }
 
 #[test]
@@ -98,6 +99,8 @@ fn the_gpu_filters_as_the_cpu_does() {
             let on_gpu = renderer.picture(&scene, |_| ()).unwrap();
             let difference = PictureDifference::of(&on_cpu, &on_gpu);
             let at = format!("{view:?} {method:?}: {difference:?}");
+            let finite = |light: &[f32; 3]| light.iter().all(|channel| channel.is_finite());
+            assert!(on_gpu.pixels().iter().all(finite), "{at}");
             assert!(difference.mean < 0.1, "{at}");
             assert!(difference.over_two < on_cpu.pixels().len() / 200, "{at}");
             compared += 1;
@@ -106,42 +109,31 @@ fn the_gpu_filters_as_the_cpu_does() {
     assert_eq!(compared, 14);
 }
 
-/// Beside the edge a single ray flickers from pixel to pixel; the mean of the crowded images does not.
-/// The sky turned by any angle about the line of sight gives the ring the same light.
+/// Before a sky of rings about the hole, what a row of pixels across the edge sees changes smoothly from
+/// row to row. Single rays beside the edge fall on light or dark by chance.
 #[test]
 fn the_ring_at_the_edge_has_no_noise() {
-    // Bright on one side: every winding passes through light and dark.
-    let sky = Sky::from_fn(64, |d| Vec3::splat(if d.x > 0.0 { 1.0 } else { 0.0 }));
+    let sky = Sky::from_fn(256, |d| {
+        Vec3::splat((3.0 * d.z + 0.5).floor().rem_euclid(2.0))
+    });
     for radius in [1.2, 3.0, 30.0] {
-        let edge = Camera::new(&small(radius, 0.0))
-            .unwrap()
-            .observer
-            .edge_angle();
         let view = View {
-            orbit_deg: 90.0,
             fov_deg: 10.0,
-            ..small(radius, edge.to_degrees())
+            ..small(radius, edge_deg(radius))
         };
-        let jitter = |sampling| {
+        let noise = |sampling| {
             let scene = scene(view, Method::Lut).sampled(sampling);
             let picture = cpu::render(&scene, &sky, || ());
-            let along_edge = |row: usize| ring(&scene, &picture, row as u32);
-            let steps = (30..60).map(|row| (along_edge(row + 1) - along_edge(row)).abs());
-            steps.fold(0.0, f64::max)
+            // From within the shadow to six pixels beyond its edge in the middle row.
+            let across = |row: &[[f32; 3]]| row[..86].iter().map(|light| light[0]).sum::<f32>();
+            let rows: Vec<f32> = picture.pixels().chunks_exact(160).map(across).collect();
+            let bends = rows.windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).abs());
+            bends.sum::<f32>() / 88.0
         };
-        let (single, filtered) = (jitter(Sampling::Single), jitter(Sampling::Filtered));
+        let (single, filtered) = (noise(Sampling::Single), noise(Sampling::Filtered));
         assert!(filtered < 0.1, "r {radius}: {filtered}");
-        assert!(single > 3.0 * filtered, "r {radius}: {single} {filtered}");
+        assert!(single > 10.0 * filtered, "r {radius}: {single} {filtered}");
     }
-}
-
-/// The light of the three pixels of a row that lie next to the edge.
-fn ring(scene: &Scene, picture: &Picture, row: u32) -> f64 {
-    let pixels = viewer::filtered::Pixels::new(scene);
-    let line =
-        (0..picture.width()).filter(|&x| (-1.0..2.0).contains(&pixels.edge_distance(x, row)));
-    line.map(|x| f64::from(picture.pixels()[(row * picture.width() + x) as usize][0]))
-        .sum()
 }
 
 /// Minified a hundredfold, the sky has no seam where the cube's faces meet.

@@ -116,7 +116,7 @@ fn many_rays(
     } else if distance < -NEAR_INSIDE {
         along = 0u;
     }
-    let side = 1.0 / f32(along);
+    let side = 1.0 / f32(max(along, 1u));
     var sum = vec4(0.0);
     for (var i = 0u; i < along * along; i++) {
         let offset = (vec2(f32(i % along), f32(i / along)) + 0.5) * side - 0.5;
