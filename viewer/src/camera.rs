@@ -4,7 +4,7 @@
 //! *hole* frame the camera is at the origin and the hole lies along −Z, so that the view angle θ has
 //! cos θ = −z and sin θ = √(x² + y²). In the *camera* frame −Z is the middle of the picture.
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 use lensbake_core::{CoreError, Observer};
 use std::f64::consts::PI;
 use thiserror::Error;
@@ -145,21 +145,40 @@ impl Camera {
         })
     }
 
+    /// The same camera with each pixel cut into `side` × `side`.
+    pub fn refined(&self, side: u32) -> Self {
+        let part = 1.0 / f64::from(side);
+        Camera {
+            width: self.width * side,
+            height: self.height * side,
+            right: self.right * part,
+            down: self.down * part,
+            ..*self
+        }
+    }
+
     /// Number of pixels.
     pub fn pixels(&self) -> usize {
         self.width as usize * self.height as usize
     }
 
-    /// The direction of the middle of pixel (column, row) in the hole frame, not normalised.
-    fn ray(&self, column: u32, row: u32) -> DVec3 {
-        let across = f64::from(column) + 0.5 - 0.5 * f64::from(self.width);
-        let along = f64::from(row) + 0.5 - 0.5 * f64::from(self.height);
-        self.forward + self.right * across + self.down * along
+    /// The middle of pixel (column, row), row 0 at the top, in pixels from the middle of the picture.
+    pub fn position(&self, column: u32, row: u32) -> DVec2 {
+        DVec2::new(
+            f64::from(column) + 0.5 - 0.5 * f64::from(self.width),
+            f64::from(row) + 0.5 - 0.5 * f64::from(self.height),
+        )
+    }
+
+    /// The direction that is `at` pixels from the middle of the picture, in the hole frame, not
+    /// normalised.
+    pub fn ray(&self, at: DVec2) -> DVec3 {
+        self.forward + self.right * at.x + self.down * at.y
     }
 
     /// The unit direction of the middle of pixel (column, row), row 0 at the top, in the hole frame.
     pub fn direction(&self, column: u32, row: u32) -> DVec3 {
-        self.ray(column, row).normalize()
+        self.ray(self.position(column, row)).normalize()
     }
 
     /// The pixel (column, row) that `direction` in the hole frame falls into, if the picture has it.
@@ -183,7 +202,7 @@ impl Camera {
 
     /// |dθ/d pixel| at pixel (column, row), rad: the steepest change of the view angle.
     pub fn view_angle_gradient(&self, column: u32, row: u32) -> f64 {
-        let ray = self.ray(column, row);
+        let ray = self.ray(self.position(column, row));
         let direction = ray.normalize();
         let sight = Sight::of(direction);
         if sight.sin == 0.0 {
@@ -244,7 +263,7 @@ mod tests {
     fn the_middle_looks_at_the_hole_and_the_corners_span_the_field_of_view() {
         let camera = camera(|_| ());
         assert!((camera.direction(50, 25) - DVec3::NEG_Z).length() < 1e-15);
-        let left = Camera::ray(&camera, 0, 25) - camera.right * 0.5;
+        let left = camera.ray(camera.position(0, 25)) - camera.right * 0.5;
         assert!((left.normalize().dot(DVec3::NEG_Z).acos() - PI / 4.0).abs() < 1e-12);
         assert!(camera.direction(100, 25).x > 0.0, "right is +X");
         assert!(camera.direction(50, 0).y > 0.0, "the top is +Y");

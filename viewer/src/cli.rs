@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use viewer::camera::View;
 use viewer::scene::Method;
 use viewer::sky::SkySource;
+use viewer::tone_map::EXPOSURES;
 
 /// Draw the sky as a black hole bends it: without a command, in a window.
 ///
@@ -33,6 +34,8 @@ pub enum Command {
     /// Frames a second and time a ray at several sizes, on the GPU at hand: undeflected, by the table,
     /// and by direct integration, on a flight between r = 2.5 and 37.5.
     Bench(BenchArgs),
+    /// Measure the filtered picture against many rays a pixel by direct integration.
+    Reference(ReferenceArgs),
 }
 
 /// Options of `viewer render`.
@@ -44,6 +47,12 @@ pub struct RenderArgs {
     /// Who bends the light: the table, direct integration, or nobody.
     #[arg(long, value_enum, default_value_t = MethodName::Lut)]
     pub method: MethodName,
+    /// What of its area a pixel shows: all of it, or one ray through its middle.
+    #[arg(long, value_enum, default_value_t = SamplingName::Filtered)]
+    pub sampling: SamplingName,
+    /// Exposure of a .png in stops, each twice as bright, from -32 to 32. An .exr holds all light as it is.
+    #[arg(long, value_name = "EV", default_value_t = 0.0, allow_negative_numbers = true, value_parser = exposure)]
+    pub exposure: f32,
     /// Draw by the least model with at most this error in image space, in pixels: the undeflected sky
     /// or the shortest row that will do. Exit code 1 if not even the whole row will.
     #[arg(
@@ -126,6 +135,20 @@ pub struct BenchArgs {
     /// File to write the figures to as JSON.
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
+}
+
+/// Options of `viewer reference`.
+#[derive(Debug, Args)]
+pub struct ReferenceArgs {
+    /// Folder to write filter.csv and the figures to.
+    #[arg(short, long, value_name = "DIR", default_value = "filter")]
+    pub output: PathBuf,
+    /// Size of the pictures.
+    #[arg(long, value_name = "WxH", default_value = "640x360", value_parser = size)]
+    pub size: (u32, u32),
+    /// Rays along the side of a pixel of the reference.
+    #[arg(long, value_name = "N", default_value_t = 32, value_parser = clap::value_parser!(u32).range(2..=64))]
+    pub rays: u32,
 }
 
 /// The scene and what draws it.
@@ -228,6 +251,15 @@ pub enum MethodName {
     Flat,
 }
 
+/// What of its area a pixel shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum SamplingName {
+    /// One ray through its middle.
+    Single,
+    /// The mean of all of it.
+    Filtered,
+}
+
 /// Where to draw.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum DeviceName {
@@ -254,6 +286,14 @@ impl ViewArgs {
             height,
         }
     }
+}
+
+fn exposure(text: &str) -> Result<f32, String> {
+    let stops = text.parse().ok().filter(|stops| EXPOSURES.contains(stops));
+    stops.ok_or_else(|| {
+        let (least, most) = (EXPOSURES.start(), EXPOSURES.end());
+        format!("must be a number of stops from {least} to {most}")
+    })
 }
 
 fn size(text: &str) -> Result<(u32, u32), String> {

@@ -2,26 +2,31 @@
 
 use crate::camera::{Camera, Sight};
 use crate::deflect::{Turned, deflect};
+use crate::filtered::Pixels;
 use crate::picture::Picture;
-use crate::scene::Scene;
+use crate::scene::{Sampling, Scene};
 use crate::sky::Sky;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use lensbake_core::Fate;
 use rayon::prelude::*;
 
 /// Draws `scene` before `sky`. `row_done` is called after each row of pixels.
 pub fn render(scene: &Scene, sky: &Sky, row_done: impl Fn() + Sync) -> Picture {
     let camera = &scene.camera;
-    let pixels = by_pixel(camera, row_done, |column, row| {
-        match light_direction(scene, camera.direction(column, row)) {
-            Fate::Captured => [0.0; 3],
-            Fate::Escapes(direction) => {
-                let in_sky = camera.sky_from_hole * direction;
-                sky.sample(in_sky.as_vec3()).to_array()
-            }
-        }
+    let filtered = Pixels::new(scene);
+    let pixels = by_pixel(camera, row_done, |column, row| match scene.sampling {
+        Sampling::Single => single(scene, sky, camera.direction(column, row)).to_array(),
+        Sampling::Filtered => filtered.light(sky, column, row).truncate().to_array(),
     });
     Picture::new(camera.width, camera.height, pixels)
+}
+
+/// The light of one ray in a unit `direction` in the hole frame.
+fn single(scene: &Scene, sky: &Sky, direction: DVec3) -> Vec3 {
+    match light_direction(scene, direction) {
+        Fate::Captured => Vec3::ZERO,
+        Fate::Escapes(light) => sky.sample((scene.camera.sky_from_hole * light).as_vec3()),
+    }
 }
 
 /// Finds where each pixel's light comes from: unit directions in the hole frame, row-major

@@ -205,9 +205,13 @@ impl PictureDifference {
     /// If the sizes differ: a fault of the caller.
     pub fn of(a: &Picture, b: &Picture) -> Self {
         assert_eq!((a.width(), a.height()), (b.width(), b.height()));
-        let (a, b) = (a.srgb(), b.srgb());
+        Self::on_screen(&a.srgb(0.0), &b.srgb(0.0))
+    }
+
+    /// Of the pixels that a screen shows, as many in `a` as in `b`.
+    pub fn on_screen(a: &[[u8; 3]], b: &[[u8; 3]]) -> Self {
         let (mut max, mut sum, mut over_two) = (0, 0u64, 0);
-        for (a, b) in a.iter().zip(&b) {
+        for (a, b) in a.iter().zip(b) {
             let off: [u8; 3] = std::array::from_fn(|c| a[c].abs_diff(b[c]));
             let worst = off[0].max(off[1]).max(off[2]);
             max = max.max(worst);

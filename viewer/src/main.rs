@@ -20,6 +20,7 @@ fn main() -> ExitCode {
         Some(Command::Chart(args)) => commands::chart::run(&args),
         Some(Command::Bench(args)) => commands::bench::run(&args),
         Some(Command::Diff(args)) => commands::diff::run(&args),
+        Some(Command::Reference(args)) => commands::reference::run(&args),
     };
     Outcome::end(PROGRAM, outcome)
 }

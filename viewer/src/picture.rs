@@ -1,5 +1,6 @@
 //! A finished picture in linear light, and its files.
 
+use crate::tone_map::tone_map;
 use image::codecs::openexr::OpenExrEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageFormat};
@@ -62,11 +63,13 @@ impl Picture {
         &self.pixels
     }
 
-    /// The pixels as a screen shows them: clamped to 0 … 1, sRGB, 8 bits a channel.
-    pub fn srgb(&self) -> Vec<[u8; 3]> {
+    /// The pixels as a screen shows them: tone mapped at an `exposure` in stops, sRGB, 8 bits a channel.
+    pub fn srgb(&self, exposure: f32) -> Vec<[u8; 3]> {
+        let shown = |&pixel: &[f32; 3]| tone_map(pixel.into(), exposure).to_array();
+        let eight_bits = |linear: f32| (255.0 * srgb_from_linear(linear) + 0.5) as u8;
         self.pixels
             .iter()
-            .map(|p| p.map(srgb_from_linear))
+            .map(|pixel| shown(pixel).map(eight_bits))
             .collect()
     }
 
@@ -81,14 +84,14 @@ impl Picture {
             .map_err(|e| PictureError::new(path, e))
     }
 
-    /// Writes the picture whole or not at all: .png is what a screen shows, .exr is linear light in
-    /// 32-bit floats.
+    /// Writes the picture whole or not at all: .png is what a screen shows at an `exposure` in stops,
+    /// .exr is all of the light, linear, in 32-bit floats.
     ///
     /// # Errors
     /// [`PictureError`] names the file and what is wrong.
-    pub fn write(&self, path: &Path) -> Result<(), PictureError> {
+    pub fn write(&self, path: &Path, exposure: f32) -> Result<(), PictureError> {
         if format_of(path)? == ImageFormat::Png {
-            let pixels = self.srgb();
+            let pixels = self.srgb(exposure);
             return write_png(path, self.width, self.height, bytemuck::cast_slice(&pixels));
         }
         let mut bytes = Vec::new();
@@ -128,15 +131,15 @@ fn format_of(path: &Path) -> Result<ImageFormat, PictureError> {
     }
 }
 
-/// The sRGB transfer function (IEC 61966-2-1), to 8 bits.
-fn srgb_from_linear(linear: f32) -> u8 {
-    let linear = linear.clamp(0.0, 1.0);
-    let encoded = if linear <= 0.003_130_8 {
+/// The sRGB transfer function (IEC 61966-2-1) of linear light, which is clamped to 0 … 1; NaN is 0.
+pub fn srgb_from_linear(linear: f32) -> f32 {
+    // `max` and `min` rather than `clamp`, because they turn NaN into 0.
+    let linear = linear.max(0.0).min(1.0);
+    if linear <= 0.003_130_8 {
         12.92 * linear
     } else {
         1.055 * linear.powf(1.0 / 2.4) - 0.055
-    };
-    (255.0 * encoded + 0.5) as u8
+    }
 }
 
 #[cfg(test)]
@@ -145,16 +148,34 @@ mod tests {
 
     #[test]
     fn srgb_has_its_known_values() {
-        for (linear, expected) in [
-            (0.0, 0),
-            (1.0, 255),
-            (2.0, 255),
-            (-1.0, 0),
-            (0.214_041, 127),
-        ] {
-            assert_eq!(srgb_from_linear(linear), expected, "{linear}");
+        let known = [
+            (0.0, 0.0),
+            (1.0, 1.0),
+            (2.0, 1.0),
+            (-1.0, 0.0),
+            (0.214_041, 0.5),
+        ];
+        for (linear, expected) in known {
+            assert!(
+                (srgb_from_linear(linear) - expected).abs() < 1e-5,
+                "{linear}"
+            );
         }
-        assert_eq!(srgb_from_linear(f32::NAN), 0);
+        assert_eq!(srgb_from_linear(f32::NAN), 0.0);
+    }
+
+    #[test]
+    fn a_screen_shows_what_is_too_bright_for_it() {
+        let picture = Picture::new(3, 1, vec![[0.0, 0.5, 0.8], [3.0, 1.5, 0.0], [0.1; 3]]);
+        let [dark, bright, _] = picture.srgb(0.0)[..] else {
+            panic!("three pixels")
+        };
+        assert_eq!(dark, [0, 188, 231]);
+        assert!(
+            bright[0] > 250 && bright[1] < 190 && bright[2] == 0,
+            "{bright:?}"
+        );
+        assert_eq!(picture.srgb(-1.0)[0], [0, 137, 170]);
     }
 
     #[test]
@@ -162,18 +183,18 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let picture = Picture::new(2, 1, vec![[0.0, 0.5, 1.0], [3.0, 0.25, 0.125]]);
         let exr = folder.path().join("p.exr");
-        picture.write(&exr).unwrap();
+        picture.write(&exr, 0.0).unwrap();
         let back = image::open(&exr).unwrap().into_rgb32f();
         assert_eq!(
             back.into_raw(),
             bytemuck::cast_slice::<_, f32>(picture.pixels())
         );
         let png = folder.path().join("p.png");
-        picture.write(&png).unwrap();
+        picture.write(&png, 0.0).unwrap();
         let back = image::open(&png).unwrap().into_rgb8();
         assert_eq!(
             back.into_raw(),
-            bytemuck::cast_slice::<_, u8>(&picture.srgb())
+            bytemuck::cast_slice::<_, u8>(&picture.srgb(0.0))
         );
     }
 }

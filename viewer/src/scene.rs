@@ -46,6 +46,16 @@ impl Method {
     }
 }
 
+/// What of its area a pixel shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Sampling {
+    /// The light of one ray through its middle: what the bending alone is judged by.
+    #[default]
+    Single,
+    /// The mean light of all of it: what a picture should show.
+    Filtered,
+}
+
 /// A camera with the row that serves it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
@@ -55,6 +65,8 @@ pub struct Scene {
     pub row: Row,
     /// Who turns the light.
     pub method: Method,
+    /// What of its area a pixel shows.
+    pub sampling: Sampling,
 }
 
 /// A scene that cannot be drawn.
@@ -77,7 +89,7 @@ pub enum SceneError {
 }
 
 impl Scene {
-    /// The scene of `camera`, its row mixed from `table`.
+    /// The scene of `camera`, its row mixed from `table`, sampled once a pixel.
     ///
     /// # Errors
     /// [`SceneError`] if the table does not serve the camera or the method's step makes no sense.
@@ -92,6 +104,7 @@ impl Scene {
             camera,
             row: table.row(camera.observer)?,
             method,
+            sampling: Sampling::Single,
         })
     }
 
@@ -99,6 +112,14 @@ impl Scene {
     pub fn by(&self, method: Method) -> Self {
         Scene {
             method,
+            ..self.clone()
+        }
+    }
+
+    /// The same scene sampled another way.
+    pub fn sampled(&self, sampling: Sampling) -> Self {
+        Scene {
+            sampling,
             ..self.clone()
         }
     }

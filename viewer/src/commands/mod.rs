@@ -4,6 +4,7 @@ pub mod bench;
 pub mod chart;
 pub mod diff;
 mod least;
+pub mod reference;
 pub mod render;
 pub mod window;
 
@@ -18,6 +19,7 @@ use viewer::camera::{Camera, CameraError};
 use viewer::chart::ChartError;
 use viewer::gpu::{Gpu, GpuError};
 use viewer::picture::PictureError;
+use viewer::reference::StudyError;
 use viewer::scene::{Method, Scene, SceneError};
 use viewer::sky::SkyError;
 use viewer::window::WindowError;
@@ -51,6 +53,9 @@ pub enum CommandError {
     /// The chart.
     #[error(transparent)]
     Chart(#[from] ChartError),
+    /// The study of the filter.
+    #[error(transparent)]
+    Study(#[from] StudyError),
     /// The window.
     #[error(transparent)]
     Window(#[from] WindowError),

@@ -1,14 +1,15 @@
 //! `viewer render`: a picture to a file.
 
 use super::{CommandError, gpu, least, scene};
-use crate::cli::{MethodName, RenderArgs};
+use crate::cli::{MethodName, RenderArgs, SamplingName};
 use lensbake_report::{Outcome, Progress};
 use std::time::Instant;
 use viewer::cpu;
+use viewer::filtered::Pixels;
 use viewer::gpu::{Gpu, Renderer};
 use viewer::model::DEFAULT_BUDGET_PX;
 use viewer::picture::Picture;
-use viewer::scene::{Method, Scene};
+use viewer::scene::{Method, Sampling, Scene};
 use viewer::sky::{self, Sky};
 
 pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
@@ -22,7 +23,11 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     };
     let budget_px = args.budget_px.unwrap_or(DEFAULT_BUDGET_PX);
     least::check_budget(budget_px)?;
-    let mut scene = scene(&args.scene, method)?;
+    let sampling = match args.sampling {
+        SamplingName::Single => Sampling::Single,
+        SamplingName::Filtered => Sampling::Filtered,
+    };
+    let mut scene = scene(&args.scene, method)?.sampled(sampling);
     let sky = sky::load(&args.scene.view.sky)?;
     let gpu = gpu(args.scene.device)?;
     let mut outcome = Outcome::Done;
@@ -48,9 +53,22 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
         "drawn on {device} in {:.3} s",
         started.elapsed().as_secs_f64()
     );
-    picture.write(&args.output)?;
+    if scene.sampling == Sampling::Filtered {
+        eprintln!("{}", extra_rays(&scene));
+    }
+    picture.write(&args.output, args.exposure)?;
     eprintln!("wrote {}", args.output.display());
     Ok(outcome)
+}
+
+/// What the pixels beside the shadow's edge cost.
+fn extra_rays(scene: &Scene) -> String {
+    let camera = &scene.camera;
+    let pixels = Pixels::new(scene);
+    let extra = cpu::by_pixel(camera, || (), |column, row| pixels.extra_rays(column, row));
+    let extra: u64 = extra.into_iter().map(u64::from).sum();
+    let percent = 100.0 * extra as f64 / camera.pixels() as f64;
+    format!("{extra} extra rays beside the shadow's edge, {percent:.2} % of one a pixel")
 }
 
 fn on_gpu(gpu: &Gpu, scene: &Scene, sky: &Sky) -> Result<Picture, CommandError> {

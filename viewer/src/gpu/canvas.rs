@@ -1,16 +1,17 @@
 //! What a picture in the making keeps on a GPU from frame to frame: its row, its frame blocks and what
 //! it is written to. Showing the next scene writes into these and makes nothing.
 
-use super::renderer::{Renderer, resource};
+use super::blocks::{BLOCK, LIST_WIDTH, List, append_lists};
+use super::renderer::{Program, Renderer, SkyOnDevice, resource};
 use super::{Frame, Store, Tile};
-use crate::scene::Scene;
+use crate::filtered::Pixels;
+use crate::scene::{Sampling, Scene};
+use crate::shadow::Shadow;
 use lensbake_tables::{Interpolation, Row, Texel};
 use wgpu::*;
 
 /// Bytes of a pixel in a [`Store::Buffer`].
 const PIXEL: u64 = size_of::<[f32; 4]>() as u64;
-/// Side of a workgroup in the shaders, pixels.
-const WORKGROUP: u32 = 8;
 /// Format of a [`Store::Texture`], as `shaders/store_texture.wgsl` has it.
 const TEXTURE_FORMAT: TextureFormat = TextureFormat::Rgba16Float;
 
@@ -35,6 +36,9 @@ pub struct Canvas {
     frames: Buffer,
     frame_stride: u64,
     tiles: Vec<Tile>,
+    blocks: Buffer,
+    /// The lists of each tile; none if the picture is not filtered.
+    lists: Vec<[List; 3]>,
     bind_group: BindGroup,
 }
 
@@ -81,7 +85,8 @@ impl Canvas {
         let alignment = device.limits().min_uniform_buffer_offset_alignment;
         let frame_stride = (size_of::<Frame>() as u64).next_multiple_of(alignment.into());
         let frames = frame_buffer(&device, tiles * frame_stride);
-        let bind_group = bind_group(&device, layout, &frames, &row, &target);
+        let blocks = block_buffer(&device, 1);
+        let bind_group = bind_group(&device, layout, &frames, &row, &target, &blocks);
         Canvas {
             queue: renderer.gpu.queue.clone(),
             layout: layout.clone(),
@@ -91,6 +96,8 @@ impl Canvas {
             frames,
             frame_stride,
             tiles: Vec::new(),
+            blocks,
+            lists: Vec::new(),
             bind_group,
             device,
         }
@@ -107,17 +114,29 @@ impl Canvas {
     }
 
     /// Sets what the next dispatches draw: the scene, in these tiles. The row goes to the GPU only if
-    /// it is another than the last. `gain` amplifies a difference.
+    /// it is another than the last. `sky` is what they will be drawn before, `gain` amplifies a difference.
     ///
     /// # Panics
     /// If the scene's row has another shape than the canvas was made for.
-    pub fn show(&mut self, scene: &Scene, tiles: impl Iterator<Item = Tile>, gain: f32) {
+    pub fn show(
+        &mut self,
+        scene: &Scene,
+        sky: &SkyOnDevice,
+        tiles: impl Iterator<Item = Tile>,
+        gain: f32,
+    ) {
         self.tiles.clear();
         self.tiles.extend(tiles);
-        self.grow();
+        let blocks = self.list_blocks(scene, sky.face_texels);
+        self.grow(blocks.len() as u64);
+        self.queue
+            .write_buffer(&self.blocks, 0, bytemuck::cast_slice(&blocks));
+        let shadow = Shadow::of(scene);
         let step = scene.method.integrator_step();
         for (i, &tile) in self.tiles.iter().enumerate() {
-            let frame = Frame::new(&scene.camera, tile, step, gain);
+            let lists = self.lists.get(i).copied().unwrap_or_default();
+            let frame = Frame::new(&scene.camera, tile, step, gain)
+                .filtered(shadow, lists.map(|list| list.first));
             let offset = i as u64 * self.frame_stride;
             self.queue
                 .write_buffer(&self.frames, offset, bytemuck::bytes_of(&frame));
@@ -127,39 +146,64 @@ impl Canvas {
         }
     }
 
-    /// Encodes the drawing of tile `index` by `pipeline` before `sky`; `timestamps` notes when it begins
+    /// Lists the blocks of the tiles if the picture is filtered.
+    fn list_blocks(&mut self, scene: &Scene, face_texels: u32) -> Vec<u32> {
+        self.lists.clear();
+        let mut blocks = Vec::new();
+        if scene.sampling == Sampling::Filtered {
+            let pixels = Pixels::new(scene);
+            for &tile in &self.tiles {
+                let lists = append_lists(&mut blocks, &pixels, tile, face_texels);
+                self.lists.push(lists);
+            }
+        }
+        blocks
+    }
+
+    /// Encodes the drawing of tile `index` by `program` before `sky`; `timestamps` notes when it begins
     /// and ends.
     pub(super) fn encode(
         &self,
         encoder: &mut CommandEncoder,
         sky: &BindGroup,
-        pipeline: &ComputePipeline,
+        program: &Program,
         index: usize,
         timestamps: Option<ComputePassTimestampWrites>,
     ) {
         let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor {
-            label: Some("tile"),
+            label: Some(program.name),
             timestamp_writes: timestamps,
         });
         let offset = index as u64 * self.frame_stride;
-        pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &self.bind_group, &[offset as u32]);
         pass.set_bind_group(1, sky, &[]);
-        let [across, down] = self.tiles[index].count.map(|n| n.div_ceil(WORKGROUP));
-        pass.dispatch_workgroups(across, down, 1);
+        if let [pipeline] = &program.pipelines[..] {
+            let [across, down] = self.tiles[index].count.map(|n| n.div_ceil(BLOCK));
+            pass.set_pipeline(pipeline);
+            pass.dispatch_workgroups(across, down, 1);
+            return;
+        }
+        for (pipeline, list) in program.pipelines.iter().zip(&self.lists[index]) {
+            pass.set_pipeline(pipeline);
+            pass.dispatch_workgroups(LIST_WIDTH, list.rows, 1);
+        }
     }
 
-    /// Makes room for the blocks of all tiles: only when there are more than ever before.
-    fn grow(&mut self) {
-        let needed = self.tiles.len() as u64 * self.frame_stride;
-        if needed > self.frames.size() {
-            self.frames = frame_buffer(&self.device, needed);
+    /// Makes room for the frames of all tiles and for so many blocks: only when there are more than
+    /// ever before.
+    fn grow(&mut self, blocks: u64) {
+        let frames = self.tiles.len() as u64 * self.frame_stride;
+        let blocks = blocks * size_of::<u32>() as u64;
+        if frames > self.frames.size() || blocks > self.blocks.size() {
+            self.frames = frame_buffer(&self.device, frames.max(self.frames.size()));
+            self.blocks = block_buffer(&self.device, blocks.max(self.blocks.size()));
             self.bind_group = bind_group(
                 &self.device,
                 &self.layout,
                 &self.frames,
                 &self.row,
                 &self.target,
+                &self.blocks,
             );
         }
     }
@@ -196,12 +240,22 @@ fn frame_buffer(device: &Device, size: u64) -> Buffer {
     })
 }
 
+fn block_buffer(device: &Device, size: u64) -> Buffer {
+    device.create_buffer(&BufferDescriptor {
+        label: Some("blocks"),
+        size: size.next_multiple_of(COPY_BUFFER_ALIGNMENT),
+        usage: BufferUsages::STORAGE | BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
+}
+
 fn bind_group(
     device: &Device,
     layout: &BindGroupLayout,
     frames: &Buffer,
     row: &Texture,
     target: &Target,
+    blocks: &Buffer,
 ) -> BindGroup {
     let frame = BufferBinding {
         buffer: frames,
@@ -220,6 +274,7 @@ fn bind_group(
             resource(0, BindingResource::Buffer(frame)),
             resource(1, BindingResource::TextureView(&row)),
             resource(2, target),
+            resource(3, blocks.as_entire_binding()),
         ],
     })
 }

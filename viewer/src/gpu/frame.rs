@@ -1,6 +1,7 @@
 //! The uniform block of a frame. A test holds its layout to what naga makes of `frame.wgsl`.
 
 use crate::camera::Camera;
+use crate::shadow::Shadow;
 use glam::DVec3;
 use lensbake_tables::lookup::Edge;
 
@@ -26,13 +27,15 @@ pub struct Frame {
     sky_x: [f32; 3],
     gain: f32,
     sky_y: [f32; 3],
-    padding: f32,
+    half_edge_cos: f32,
     sky_z: [f32; 3],
-    padding_2: f32,
+    half_edge_sin: f32,
     edge: [f32; 2],
     size: [u32; 2],
     first: [u32; 2],
     count: [u32; 2],
+    lists: [u32; 3],
+    padding: u32,
 }
 
 impl Frame {
@@ -51,13 +54,25 @@ impl Frame {
             sky_x: vector(camera.sky_from_hole.x_axis),
             gain,
             sky_y: vector(camera.sky_from_hole.y_axis),
-            padding: 0.0,
+            half_edge_cos: 0.0,
             sky_z: vector(camera.sky_from_hole.z_axis),
-            padding_2: 0.0,
+            half_edge_sin: 0.0,
             edge: [edge.tan_half, edge.log_weight],
             size: [camera.width, camera.height],
             first: tile.first,
             count: tile.count,
+            lists: [0; 3],
+            padding: 0,
+        }
+    }
+
+    /// The same tile of a filtered picture: with this shadow, its lists of blocks starting at `lists`.
+    pub fn filtered(self, shadow: Shadow, lists: [u32; 3]) -> Self {
+        Frame {
+            half_edge_cos: shadow.half_cos as f32,
+            half_edge_sin: shadow.half_sin as f32,
+            lists,
+            ..self
         }
     }
 }
@@ -66,7 +81,7 @@ impl Frame {
 mod tests {
     use super::*;
     use crate::gpu::shader::{Output, Store, shader_source};
-    use crate::scene::Method;
+    use crate::scene::{Method, Sampling};
     use lensbake_tables::Interpolation;
     use std::mem::offset_of;
 
@@ -74,6 +89,7 @@ mod tests {
     fn the_layout_is_the_shaders() {
         let source = shader_source(
             Method::Flat,
+            Sampling::Single,
             Output::Trace,
             Store::Buffer,
             64,
@@ -101,8 +117,23 @@ mod tests {
             };
         }
         same_offsets!(
-            right, u, down, lapse, forward, step, sky_x, gain, sky_y, sky_z, edge, size, first,
-            count
+            right,
+            u,
+            down,
+            lapse,
+            forward,
+            step,
+            sky_x,
+            gain,
+            sky_y,
+            half_edge_cos,
+            sky_z,
+            half_edge_sin,
+            edge,
+            size,
+            first,
+            count,
+            lists
         );
         assert_eq!(span as usize, size_of::<Frame>());
     }

@@ -1,8 +1,8 @@
 //! Frames one after the other, for a window or a benchmark: everything is made beforehand, and a frame
 //! writes what has changed and dispatches what the picture needs.
 
-use super::{Canvas, Output, Passes, Renderer, Store, Target, Tile, band_pixels};
-use crate::scene::{Method, Scene};
+use super::{Canvas, Output, Passes, Program, Renderer, Store, Target, Tile, band_pixels};
+use crate::scene::{Method, Sampling, Scene};
 use lensbake_tables::Row;
 use wgpu::*;
 
@@ -36,7 +36,7 @@ enum Brush {
 #[derive(Debug)]
 pub struct Live {
     renderer: Renderer,
-    pipelines: Pipelines,
+    programs: Programs,
     canvas: Canvas,
     row: Row,
     room: [u32; 2],
@@ -44,18 +44,18 @@ pub struct Live {
 }
 
 #[derive(Debug)]
-struct Pipelines {
-    lut: ComputePipeline,
-    direct: ComputePipeline,
-    flat: ComputePipeline,
-    difference: ComputePipeline,
+struct Programs {
+    lut: Program,
+    direct: Program,
+    flat: Program,
+    difference: Program,
 }
 
 impl Live {
     /// Frames of at most `room` pixels across and down by `renderer`, with rows of the shape of `row`.
     pub fn new(renderer: Renderer, row: &Row, room: [u32; 2]) -> Self {
         Live {
-            pipelines: Pipelines::new(&renderer, row),
+            programs: Programs::new(&renderer, row),
             canvas: Canvas::on_texture(&renderer, row, room),
             row: row.clone(),
             room,
@@ -88,7 +88,7 @@ impl Live {
         if shape(row) == shape(&self.row) {
             return;
         }
-        self.pipelines = Pipelines::new(&self.renderer, row);
+        self.programs = Programs::new(&self.renderer, row);
         self.canvas = Canvas::on_texture(&self.renderer, row, self.room);
         self.row = row.clone();
     }
@@ -135,7 +135,7 @@ impl Live {
                 self.brushes.push(brush);
                 tile
             });
-        self.canvas.show(scene, tiles, gain);
+        self.canvas.show(scene, &self.renderer.sky, tiles, gain);
     }
 }
 
@@ -150,28 +150,35 @@ impl Passes for Live {
         pass: usize,
         timestamps: Option<ComputePassTimestampWrites>,
     ) {
-        let pipeline = match self.brushes[pass] {
-            Brush::Lut => &self.pipelines.lut,
-            Brush::Direct => &self.pipelines.direct,
-            Brush::Flat => &self.pipelines.flat,
-            Brush::Difference => &self.pipelines.difference,
+        let program = match self.brushes[pass] {
+            Brush::Lut => &self.programs.lut,
+            Brush::Direct => &self.programs.direct,
+            Brush::Flat => &self.programs.flat,
+            Brush::Difference => &self.programs.difference,
         };
-        self.canvas
-            .encode(encoder, &self.renderer.sky, pipeline, pass, timestamps);
+        self.canvas.encode(
+            encoder,
+            &self.renderer.sky.bind_group,
+            program,
+            pass,
+            timestamps,
+        );
     }
 }
 
-impl Pipelines {
+impl Programs {
     fn new(renderer: &Renderer, row: &Row) -> Self {
-        let pipeline = |method, output| renderer.pipeline(method, output, Store::Texture, row);
+        let program = |method, output| {
+            renderer.program(method, Sampling::Single, output, Store::Texture, row)
+        };
         let direct = Method::Direct {
             step: Method::DEFAULT_STEP,
         };
-        Pipelines {
-            lut: pipeline(Method::Lut, Output::Picture),
-            direct: pipeline(direct, Output::Picture),
-            flat: pipeline(Method::Flat, Output::Picture),
-            difference: pipeline(direct, Output::Difference),
+        Programs {
+            lut: program(Method::Lut, Output::Picture),
+            direct: program(direct, Output::Picture),
+            flat: program(Method::Flat, Output::Picture),
+            difference: program(direct, Output::Difference),
         }
     }
 }

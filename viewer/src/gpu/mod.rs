@@ -1,5 +1,6 @@
 //! The GPU: the device, and the renderer that draws a [`crate::scene::Scene`] on it.
 
+mod blocks;
 mod canvas;
 mod device;
 mod frame;
@@ -18,7 +19,7 @@ pub use frame::{Frame, Tile};
 pub use live::{Live, Show};
 pub use prepared::{Prepared, band_pixels};
 pub use present::{Edge, Presenter, Showing};
-pub use renderer::{Renderer, SkyOnDevice, Trace};
-pub use shader::{Output, Store, shader_source};
+pub use renderer::{Program, Renderer, SkyOnDevice, Trace};
+pub use shader::{Output, Store, entry_points, shader_source};
 pub use stopwatch::{Lap, Stopwatch, Timed};
 pub use timer::{FrameTime, Passes, Timer};

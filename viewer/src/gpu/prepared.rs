@@ -1,7 +1,7 @@
 //! A scene made ready on a GPU to be drawn and read back, in bands of rows: a driver resets a GPU that is
 //! busy for seconds.
 
-use super::renderer::Renderer;
+use super::renderer::{Program, Renderer};
 use super::{Canvas, Output, Passes, Store, Tile};
 use crate::scene::{Method, Scene};
 use std::f64::consts::PI;
@@ -12,10 +12,10 @@ const BUFFERED: u32 = 1 << 20;
 /// Ray steps of a band at the most, for direct integration: a fraction of a second on a small GPU.
 const BAND_STEPS: f64 = 1e8;
 
-/// A scene's pipeline and its canvas.
+/// A scene's program and its canvas.
 #[derive(Debug)]
 pub struct Prepared {
-    pipeline: ComputePipeline,
+    program: Program,
     sky: BindGroup,
     canvas: Canvas,
 }
@@ -32,10 +32,16 @@ impl Prepared {
         };
         let bands = camera.height.div_ceil(rows);
         let mut canvas = Canvas::on_buffer(renderer, &scene.row, pixels, bands.into());
-        canvas.show(scene, whole.bands(most_pixels), 1.0);
+        canvas.show(scene, &renderer.sky, whole.bands(most_pixels), 1.0);
         Prepared {
-            pipeline: renderer.pipeline(scene.method, output, Store::Buffer, &scene.row),
-            sky: renderer.sky.clone(),
+            program: renderer.program(
+                scene.method,
+                scene.sampling,
+                output,
+                Store::Buffer,
+                &scene.row,
+            ),
+            sky: renderer.sky.bind_group.clone(),
             canvas,
         }
     }
@@ -63,7 +69,7 @@ impl Passes for Prepared {
         timestamps: Option<ComputePassTimestampWrites>,
     ) {
         self.canvas
-            .encode(encoder, &self.sky, &self.pipeline, pass, timestamps);
+            .encode(encoder, &self.sky, &self.program, pass, timestamps);
     }
 }
 

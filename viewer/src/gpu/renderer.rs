@@ -1,14 +1,15 @@
 //! Draws scenes on a GPU.
 
 use super::canvas::storage_texture_binding;
-use super::{Gpu, GpuError, Output, Passes, Prepared, Store, Target, shader_source};
+use super::{
+    Gpu, GpuError, Output, Passes, Prepared, Store, Target, Tile, entry_points, shader_source,
+};
 use crate::picture::Picture;
-use crate::scene::{Method, Scene};
-use crate::sky::Sky;
+use crate::scene::{Method, Sampling, Scene};
+use crate::sky::{Cube, Sky};
 use glam::{DVec3, Vec3};
 use lensbake_core::Fate;
 use lensbake_tables::Row;
-use wgpu::util::DeviceExt;
 use wgpu::*;
 
 /// Where the light of each pixel comes from: unit directions in the hole frame, row-major
@@ -17,13 +18,27 @@ pub type Trace = Vec<Fate<DVec3>>;
 
 /// A sky on the device; a clone is the same sky.
 #[derive(Debug, Clone)]
-pub struct SkyOnDevice(BindGroup);
+pub struct SkyOnDevice {
+    pub(super) bind_group: BindGroup,
+    pub(super) face_texels: u32,
+}
+
+/// Bytes of a texel of the sky.
+const SKY_TEXEL: u32 = size_of::<[half::f16; 4]>() as u32;
+
+/// What draws the tiles of a canvas.
+#[derive(Debug)]
+pub struct Program {
+    pub(super) name: &'static str,
+    /// One for every pixel, or one for each list of blocks.
+    pub(super) pipelines: Vec<ComputePipeline>,
+}
 
 /// A renderer on one device, with one sky.
 #[derive(Debug)]
 pub struct Renderer {
     pub(super) gpu: Gpu,
-    pub(super) sky: BindGroup,
+    pub(super) sky: SkyOnDevice,
     sky_layout: BindGroupLayout,
     buffer_layout: BindGroupLayout,
     texture_layout: BindGroupLayout,
@@ -47,12 +62,13 @@ impl Renderer {
         );
         let frame_layout = |label, output| {
             let row = texture_binding(TextureViewDimension::D1, false);
-            layout(label, &[frame_binding(), row, output])
+            let blocks = storage_buffer_binding(true);
+            layout(label, &[frame_binding(), row, output, blocks])
         };
         let renderer = Renderer {
-            sky: sky_bind_group(gpu, &sky_layout, sky),
+            sky: put_on_device(gpu, &sky_layout, sky),
             sky_layout,
-            buffer_layout: frame_layout("frame to a buffer", storage_buffer_binding()),
+            buffer_layout: frame_layout("frame to a buffer", storage_buffer_binding(false)),
             texture_layout: frame_layout("frame to a texture", storage_texture_binding()),
             gpu: gpu.clone(),
         };
@@ -65,19 +81,19 @@ impl Renderer {
     /// # Errors
     /// [`GpuError::Failed`] if it does not fit.
     pub fn upload(&self, sky: &Sky) -> Result<SkyOnDevice, GpuError> {
-        let sky = sky_bind_group(&self.gpu, &self.sky_layout, sky);
+        let sky = put_on_device(&self.gpu, &self.sky_layout, sky);
         self.gpu.wait()?;
-        Ok(SkyOnDevice(sky))
+        Ok(sky)
     }
 
     /// The sky that it draws before.
     pub fn sky(&self) -> SkyOnDevice {
-        SkyOnDevice(self.sky.clone())
+        self.sky.clone()
     }
 
     /// Draws before this sky from now on.
     pub fn set_sky(&mut self, sky: &SkyOnDevice) {
-        self.sky = sky.0.clone();
+        self.sky = sky.clone();
     }
 
     /// The device it draws on.
@@ -93,19 +109,20 @@ impl Renderer {
         }
     }
 
-    /// The pipeline that draws `output` by `method` with rows of the shape of `row`. Compiles: nothing to
-    /// do in a frame.
-    pub fn pipeline(
+    /// The program that draws `output` by `method` with rows of the shape of `row`; a picture by
+    /// `sampling`. Compiles: nothing to do in a frame.
+    pub fn program(
         &self,
         method: Method,
+        sampling: Sampling,
         output: Output,
         store: Store,
         row: &Row,
-    ) -> ComputePipeline {
+    ) -> Program {
         let device = &self.gpu.device;
         let (texels, interpolation) = (row.texel_count(), row.interpolation());
-        let source = shader_source(method, output, store, texels, interpolation);
-        let label = Some(output.entry_point());
+        let source = shader_source(method, sampling, output, store, texels, interpolation);
+        let label = Some(output.name());
         let module = device.create_shader_module(ShaderModuleDescriptor {
             label,
             source: ShaderSource::Wgsl(source.into()),
@@ -115,14 +132,21 @@ impl Renderer {
             bind_group_layouts: &[Some(self.frame_layout(store)), Some(&self.sky_layout)],
             immediate_size: 0,
         });
-        device.create_compute_pipeline(&ComputePipelineDescriptor {
-            label,
-            layout: Some(&layout),
-            module: &module,
-            entry_point: label,
-            compilation_options: Default::default(),
-            cache: None,
-        })
+        let pipeline = |entry_point: &&str| {
+            device.create_compute_pipeline(&ComputePipelineDescriptor {
+                label: Some(entry_point),
+                layout: Some(&layout),
+                module: &module,
+                entry_point: Some(entry_point),
+                compilation_options: Default::default(),
+                cache: None,
+            })
+        };
+        let entry_points = entry_points(sampling, output);
+        Program {
+            name: output.name(),
+            pipelines: entry_points.iter().map(pipeline).collect(),
+        }
     }
 
     /// Draws the picture of a scene. `band_done` is called with the rows of pixels done so far.
@@ -164,6 +188,25 @@ impl Renderer {
         output: Output,
         band_done: impl Fn(u32),
     ) -> Result<Vec<[f32; 4]>, GpuError> {
+        let mut pixels = Vec::with_capacity(scene.camera.pixels());
+        self.stream(scene, output, |band, written| {
+            pixels.extend(written);
+            band_done(band.first[1] + band.count[1]);
+        })?;
+        Ok(pixels)
+    }
+
+    /// Draws a scene and calls `take` with each of its bands, from the top down, and the band's pixels:
+    /// for pictures too large to be kept.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`] if the device does.
+    pub fn stream(
+        &self,
+        scene: &Scene,
+        output: Output,
+        mut take: impl FnMut(Tile, &[[f32; 4]]),
+    ) -> Result<(), GpuError> {
         let Gpu { device, queue, .. } = &self.gpu;
         let prepared = self.prepare(scene, output);
         let Target::Buffer(written) = prepared.canvas().target() else {
@@ -175,42 +218,49 @@ impl Renderer {
             usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
             mapped_at_creation: false,
         });
-        let mut pixels = Vec::with_capacity(scene.camera.pixels());
-        for (i, band) in prepared.bands().iter().enumerate() {
+        for (i, &band) in prepared.bands().iter().enumerate() {
             let mut encoder = device.create_command_encoder(&Default::default());
             prepared.encode(&mut encoder, i, None);
             encoder.copy_buffer_to_buffer(written, 0, &read_back, 0, read_back.size());
             queue.submit([encoder.finish()]);
             let written: Vec<[f32; 4]> = self.gpu.read(&read_back)?;
             let [width, rows] = band.count;
-            pixels.extend(&written[..rows as usize * width as usize]);
-            band_done(band.first[1] + rows);
+            take(band, &written[..rows as usize * width as usize]);
         }
-        Ok(pixels)
+        Ok(())
     }
 }
 
-/// The sky as a cube texture with seamless bilinear filtering.
-fn sky_bind_group(gpu: &Gpu, layout: &BindGroupLayout, sky: &Sky) -> BindGroup {
-    let texture = gpu.device.create_texture_with_data(
-        &gpu.queue,
-        &TextureDescriptor {
-            label: Some("sky"),
-            size: Extent3d {
-                width: sky.face_texels(),
-                height: sky.face_texels(),
-                depth_or_array_layers: 6,
-            },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: TextureDimension::D2,
-            format: TextureFormat::Rgba16Float,
-            usage: TextureUsages::TEXTURE_BINDING,
-            view_formats: &[],
-        },
-        util::TextureDataOrder::LayerMajor,
-        bytemuck::cast_slice(sky.texels()),
-    );
+/// The sky as a cube texture with its mip chain and seamless trilinear filtering.
+fn put_on_device(gpu: &Gpu, layout: &BindGroupLayout, sky: &Sky) -> SkyOnDevice {
+    let size = |cube: &Cube| Extent3d {
+        width: cube.face_texels(),
+        height: cube.face_texels(),
+        depth_or_array_layers: 6,
+    };
+    let texture = gpu.device.create_texture(&TextureDescriptor {
+        label: Some("sky"),
+        size: size(&sky.levels()[0]),
+        mip_level_count: sky.levels().len() as u32,
+        sample_count: 1,
+        dimension: TextureDimension::D2,
+        format: TextureFormat::Rgba16Float,
+        usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
+        view_formats: &[],
+    });
+    for (mip_level, cube) in (0..).zip(sky.levels()) {
+        let place = TexelCopyTextureInfo {
+            mip_level,
+            ..texture.as_image_copy()
+        };
+        let bytes = bytemuck::cast_slice(cube.texels());
+        let layout = TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(SKY_TEXEL * cube.face_texels()),
+            rows_per_image: Some(cube.face_texels()),
+        };
+        gpu.queue.write_texture(place, bytes, layout, size(cube));
+    }
     let view = texture.create_view(&TextureViewDescriptor {
         dimension: Some(TextureViewDimension::Cube),
         ..Default::default()
@@ -218,16 +268,21 @@ fn sky_bind_group(gpu: &Gpu, layout: &BindGroupLayout, sky: &Sky) -> BindGroup {
     let sampler = gpu.device.create_sampler(&SamplerDescriptor {
         mag_filter: FilterMode::Linear,
         min_filter: FilterMode::Linear,
+        mipmap_filter: MipmapFilterMode::Linear,
         ..Default::default()
     });
-    gpu.device.create_bind_group(&BindGroupDescriptor {
+    let bind_group = gpu.device.create_bind_group(&BindGroupDescriptor {
         label: Some("sky"),
         layout,
         entries: &[
             resource(0, BindingResource::TextureView(&view)),
             resource(1, BindingResource::Sampler(&sampler)),
         ],
-    })
+    });
+    SkyOnDevice {
+        bind_group,
+        face_texels: sky.face_texels(),
+    }
 }
 
 /// A layout of `bindings` in their order.
@@ -264,9 +319,9 @@ fn frame_binding() -> BindingType {
     }
 }
 
-fn storage_buffer_binding() -> BindingType {
+fn storage_buffer_binding(read_only: bool) -> BindingType {
     BindingType::Buffer {
-        ty: BufferBindingType::Storage { read_only: false },
+        ty: BufferBindingType::Storage { read_only },
         has_dynamic_offset: false,
         min_binding_size: None,
     }

@@ -1,6 +1,6 @@
 //! The shader text of a frame, put together from the parts that differ and the parts that do not.
 
-use crate::scene::Method;
+use crate::scene::{Method, Sampling};
 use lensbake_tables::{Interpolation, lookup};
 
 /// What a dispatch finds out.
@@ -16,8 +16,8 @@ pub enum Output {
 }
 
 impl Output {
-    /// The name of its entry point.
-    pub fn entry_point(self) -> &'static str {
+    /// What it is called.
+    pub fn name(self) -> &'static str {
         match self {
             Output::Picture => "picture",
             Output::Trace => "trace",
@@ -40,9 +40,21 @@ pub enum Store {
     Texture,
 }
 
+/// The entry points of a shader: one, or the programs of a filtered picture, one for each
+/// [`crate::filtered::Need`].
+pub fn entry_points(sampling: Sampling, output: Output) -> &'static [&'static str] {
+    match (output, sampling) {
+        (Output::Picture, Sampling::Single) => &["picture"],
+        (Output::Picture, Sampling::Filtered) => &["one_tap", "one_ray", "many_rays"],
+        (Output::Trace, _) => &["trace"],
+        (Output::Difference, _) => &["difference"],
+    }
+}
+
 /// The WGSL of one method and output, for rows of `texels` texels read by `interpolation`.
 pub fn shader_source(
     method: Method,
+    sampling: Sampling,
     output: Output,
     store: Store,
     texels: u32,
@@ -54,6 +66,9 @@ pub fn shader_source(
     let deflect = match (output, method) {
         (Output::Difference, _) => [lut, direct].join("\n"),
         (_, Method::Lut) => deflect_by(lut, "deflect_lut"),
+        (Output::Picture, Method::Direct { .. }) if sampling == Sampling::Filtered => {
+            [direct, DEFLECT_DIRECT_WITH_SLOPE].join("\n")
+        }
         (_, Method::Direct { .. }) => deflect_by(direct, "deflect_direct"),
         (_, Method::Flat) => deflect_by(flat, "deflect_flat"),
     };
@@ -61,10 +76,15 @@ pub fn shader_source(
         Store::Buffer => include_str!("../shaders/store_buffer.wgsl"),
         Store::Texture => include_str!("../shaders/store_texture.wgsl"),
     };
-    let entry_point = match output {
-        Output::Picture => include_str!("../shaders/picture.wgsl"),
-        Output::Trace => include_str!("../shaders/trace.wgsl"),
-        Output::Difference => include_str!("../shaders/difference.wgsl"),
+    let entry_points = match (output, sampling) {
+        (Output::Picture, Sampling::Single) => include_str!("../shaders/picture.wgsl"),
+        (Output::Picture, Sampling::Filtered) => concat!(
+            include_str!("../shaders/shadow.wgsl"),
+            include_str!("../shaders/footprint.wgsl"),
+            include_str!("../shaders/filtered.wgsl"),
+        ),
+        (Output::Trace, _) => include_str!("../shaders/trace.wgsl"),
+        (Output::Difference, _) => include_str!("../shaders/difference.wgsl"),
     };
     let sky = if output.sees_sky() {
         include_str!("../shaders/sky.wgsl")
@@ -78,10 +98,19 @@ pub fn shader_source(
         store,
         &deflect,
         sky,
-        entry_point,
+        entry_points,
     ]
     .join("\n")
 }
+
+/// Direct integration in f32 knows no slope; for the size of a footprint the row's will do.
+const DEFLECT_DIRECT_WITH_SLOPE: &str = "
+fn deflect(c: f32, p: f32) -> Turned {
+    var turned = deflect_direct(c, p);
+    turned.slope = bending(c, p, Edge(frame.edge.x, frame.edge.y)).slope;
+    return turned;
+}
+";
 
 /// The text of one method, called `deflect` by those who do not care which it is.
 fn deflect_by(text: &str, name: &str) -> String {
@@ -97,27 +126,37 @@ mod tests {
     fn every_shader_is_valid() {
         let methods = [Method::Lut, Method::Direct { step: 0.1 }, Method::Flat];
         let outputs = [Output::Picture, Output::Trace, Output::Difference];
+        let samplings = [Sampling::Single, Sampling::Filtered];
         let reads = [Interpolation::Linear, Interpolation::Hermite];
         let mut validated = 0;
         for method in methods {
             for output in outputs {
                 for store in [Store::Buffer, Store::Texture] {
                     for interpolation in reads {
-                        let source = shader_source(method, output, store, 64, interpolation);
-                        validate(&source);
-                        validated += 1;
+                        for sampling in samplings {
+                            let source =
+                                shader_source(method, sampling, output, store, 64, interpolation);
+                            validate(&source, entry_points(sampling, output));
+                            validated += 1;
+                        }
                     }
                 }
             }
         }
-        assert_eq!(validated, 36);
+        assert_eq!(validated, 72);
     }
 
-    fn validate(source: &str) {
+    fn validate(source: &str, entry_points: &[&str]) {
         let module = naga::front::wgsl::parse_str(source)
             .unwrap_or_else(|e| panic!("{}", e.emit_to_string(source)));
         Validator::new(ValidationFlags::all(), Capabilities::empty())
             .validate(&module)
             .unwrap_or_else(|e| panic!("{e:?} in\n{source}"));
+        let names: Vec<&str> = module
+            .entry_points
+            .iter()
+            .map(|e| e.name.as_str())
+            .collect();
+        assert_eq!(names, entry_points);
     }
 }

@@ -71,6 +71,7 @@ impl fmt::Display for Cost {
 mod tests {
     use super::*;
     use crate::gpu::{Output, Store, shader_source};
+    use crate::scene::Sampling;
     use naga::{Block, Expression, Function, Handle, Module, Statement};
 
     /// Operations outside and inside loops, and texel loads, of a function and those it calls.
@@ -153,7 +154,14 @@ mod tests {
     }
 
     fn counted(method: Method, interpolation: Interpolation) -> Count {
-        let source = shader_source(method, Output::Trace, Store::Buffer, 64, interpolation);
+        let source = shader_source(
+            method,
+            Sampling::Single,
+            Output::Trace,
+            Store::Buffer,
+            64,
+            interpolation,
+        );
         let module = naga::front::wgsl::parse_str(&source).unwrap();
         let name = match method {
             Method::Lut => "deflect_lut",

@@ -41,20 +41,20 @@ fn deflect_direct(c: f32, p: f32) -> Turned {
     // du/dφ = u √(1−u) cot θ, positive towards the hole.
     var y = vec2(frame.u, frame.u * frame.lapse * c / max(p, 1e-20));
     if y.y > PLUNGE {
-        return Turned(CAPTURED, 0.0, 0.0);
+        return Turned(CAPTURED, 0.0, 0.0, 0.0);
     }
     let limit = u32(LONGEST_WAY / frame.step);
     for (var i = 0u; i < limit; i++) {
         let next = step_phi(y, frame.step);
         if next.x >= 1.0 {
-            return Turned(CAPTURED, 0.0, 0.0);
+            return Turned(CAPTURED, 0.0, 0.0, 0.0);
         }
         if next.x <= 0.0 {
             // φ_∞ = π − θ′.
             let phi = cos_sin(f32(i) * frame.step + land(y));
-            return Turned(ESCAPES, -phi.x, phi.y);
+            return Turned(ESCAPES, -phi.x, phi.y, 0.0);
         }
         y = next;
     }
-    return Turned(UNFINISHED, 0.0, 0.0);
+    return Turned(UNFINISHED, 0.0, 0.0, 0.0);
 }

@@ -14,7 +14,10 @@ struct Frame {
     sky_x: vec3<f32>,
     gain: f32,
     sky_y: vec3<f32>,
+    // cos and sin of half the angle of the shadow's edge as the method draws it.
+    half_edge_cos: f32,
     sky_z: vec3<f32>,
+    half_edge_sin: f32,
     // tan(θ_c/2) and (5/18) cos θ_c: the members of Edge.
     edge: vec2<f32>,
     // Width and height of the picture, pixels.
@@ -22,6 +25,8 @@ struct Frame {
     // The tile that this dispatch draws: its first pixel, its width and height.
     first: vec2<u32>,
     count: vec2<u32>,
+    // Where the lists of blocks of this tile start, one for each program of a filtered picture.
+    lists: vec3<u32>,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -30,11 +35,12 @@ const CAPTURED: u32 = 0u;
 const ESCAPES: u32 = 1u;
 const UNFINISHED: u32 = 2u;
 
-// A direction after the hole has turned it: cos and sin of its angle from the hole.
+// A direction after the hole has turned it: cos and sin of its angle from the hole, and dΔ/dθ.
 struct Turned {
     fate: u32,
     cos_sky: f32,
     sin_sky: f32,
+    slope: f32,
 }
 
 // Whether the dispatch's invocation `id` has a pixel in the tile.

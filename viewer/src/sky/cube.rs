@@ -1,12 +1,12 @@
-//! The cube map: where its texels lie on the sky, and how to filter between them.
+//! A cube map at one resolution: where its texels lie on the sky, and how to filter between them.
 
 use glam::Vec3;
 use half::f16;
 use rayon::prelude::*;
 
-/// A sky as a cube map of linear RGB light, laid out as a GPU wants it.
+/// A cube map of linear RGB light, laid out as a GPU wants it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sky {
+pub struct Cube {
     face_texels: u32,
     texels: Vec<[f16; 4]>,
 }
@@ -91,14 +91,14 @@ pub(super) fn plane_coordinates(face: usize, dir: Vec3) -> (f32, f32, f32) {
     (depth, unit(axes.right), unit(axes.down))
 }
 
-impl Sky {
-    /// Returns the sky that has the light `light(direction)` at the centre of each texel.
+impl Cube {
+    /// Returns the cube map that has the light `light(direction)` at the centre of each texel.
     /// Directions are unit vectors; light outside 0 to 65504 (the largest f16) is clamped, NaN is 0.
     ///
     /// # Panics
     ///
     /// If `face_texels` is 0.
-    pub fn from_fn(face_texels: u32, light: impl Fn(Vec3) -> Vec3 + Sync) -> Self {
+    pub(super) fn from_fn(face_texels: u32, light: impl Fn(Vec3) -> Vec3 + Sync) -> Self {
         Self::from_rows(face_texels, |face, row, texels| {
             for (column, texel) in (0..).zip(texels) {
                 *texel = light(texel_direction(face_texels, face, column, row));
@@ -106,7 +106,7 @@ impl Sky {
         })
     }
 
-    /// As [`Sky::from_fn`], but `fill(face, row, texels)` adds the light of a whole row to black.
+    /// As [`Cube::from_fn`], but `fill(face, row, texels)` adds the light of a whole row to black.
     pub(super) fn from_rows(
         face_texels: u32,
         fill: impl Fn(usize, u32, &mut [Vec3]) + Sync,
@@ -195,12 +195,12 @@ impl Sky {
         self.index(face, (u * n) as u32, (v * n) as u32)
     }
 
-    fn index(&self, face: usize, column: u32, row: u32) -> usize {
+    pub(super) fn index(&self, face: usize, column: u32, row: u32) -> usize {
         let n = self.face_texels as usize;
         (face * n + row as usize) * n + column as usize
     }
 
-    fn light(&self, index: usize) -> Vec3 {
+    pub(super) fn light(&self, index: usize) -> Vec3 {
         let [red, green, blue, _] = self.texels[index];
         Vec3::new(red.to_f32(), green.to_f32(), blue.to_f32())
     }

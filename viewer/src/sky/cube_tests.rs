@@ -2,11 +2,11 @@ use super::*;
 use crate::sky::noise::Random;
 
 /// A sky with a random light in each texel, the worst case for a seam.
-fn random_sky(face_texels: u32) -> Sky {
+fn random_sky(face_texels: u32) -> Cube {
     let n = face_texels;
     let mut random = Random::new(11);
     let values: Vec<f32> = (0..6 * n * n).map(|_| random.unit()).collect();
-    Sky::from_rows(n, |face, row, texels| {
+    Cube::from_rows(n, |face, row, texels| {
         for (column, texel) in texels.iter_mut().enumerate() {
             let index = (face * n as usize + row as usize) * n as usize + column;
             *texel = Vec3::new(values[index], 1.0 - values[index], 0.5);
@@ -71,7 +71,7 @@ fn faces_follow_the_vulkan_table() {
 
 #[test]
 fn texels_are_stored_layer_by_layer() {
-    let sky = Sky::from_fn(3, |dir| 0.5 + 0.5 * dir);
+    let sky = Cube::from_fn(3, |dir| 0.5 + 0.5 * dir);
     assert_eq!((sky.face_texels(), sky.texels().len()), (3, 54));
     let axes = [Vec3::X, -Vec3::X, Vec3::Y, -Vec3::Y, Vec3::Z, -Vec3::Z];
     for (face, axis) in axes.into_iter().enumerate() {
@@ -82,7 +82,7 @@ fn texels_are_stored_layer_by_layer() {
 
 #[test]
 fn light_that_f16_cannot_hold_is_clamped() {
-    let sky = Sky::from_fn(1, |_| Vec3::new(f32::NAN, -1.0, f32::INFINITY));
+    let sky = Cube::from_fn(1, |_| Vec3::new(f32::NAN, -1.0, f32::INFINITY));
     assert_eq!(sky.sample(Vec3::X), Vec3::new(0.0, 0.0, 65504.0));
 }
 
@@ -91,7 +91,7 @@ fn a_constant_sky_is_constant() {
     let light = Vec3::new(0.25, 1.0, 3.0);
     let mut random = Random::new(2);
     for n in [1, 2, 7] {
-        let sky = Sky::from_fn(n, |_| light);
+        let sky = Cube::from_fn(n, |_| light);
         for _ in 0..2000 {
             let dir = random.direction();
             assert!(
@@ -107,7 +107,7 @@ fn a_smooth_sky_is_sampled_to_the_error_of_the_filter() {
     let light = |dir: Vec3| 0.5 + 0.5 * dir;
     let n = 64;
     let texel = 2.0 / n as f32;
-    let sky = Sky::from_fn(n, light);
+    let sky = Cube::from_fn(n, light);
     let mut random = Random::new(3);
     let mut on_border = 0;
     for _ in 0..40_000 {

@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use super::Sky;
+use super::cube::Cube;
 use super::noise::{Random, fractal, ridged, smoothstep};
 use super::stars::{Star, StarLayer};
 
@@ -27,7 +28,7 @@ const NIGHT: Vec3 = Vec3::new(0.0010, 0.0014, 0.0032);
 /// If `face_texels` is 0.
 pub fn nebula(face_texels: u32) -> Sky {
     // The gas has no detail as fine as a texel, so half the resolution is enough.
-    let gas = Sky::from_fn(face_texels.div_ceil(2), gas);
+    let gas = Cube::from_fn(face_texels.div_ceil(2), gas);
     let stars = StarLayer::new(face_texels, stars(face_texels));
     Sky::from_rows(face_texels, |face, row, texels| {
         for (column, texel) in (0..).zip(texels.iter_mut()) {

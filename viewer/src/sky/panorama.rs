@@ -114,7 +114,7 @@ mod tests {
         let n = sky.face_texels();
         let dirs = (0..6 * n * n)
             .map(|i| super::super::texel_direction(n, (i / (n * n)) as usize, i % n, i / n % n));
-        let (_, brightest) = sky
+        let (_, brightest) = sky.levels()[0]
             .texels()
             .iter()
             .zip(dirs)

@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use super::Sky;
+use super::cube::Cube;
 use super::noise::{Random, fractal, ridged, smoothstep};
 use super::stars::{Star, StarLayer};
 
@@ -24,7 +25,7 @@ const BRIGHTEST_CLOUD: f32 = 0.25;
 /// If `face_texels` is 0.
 pub fn starmap(face_texels: u32) -> Sky {
     // The clouds have no detail as fine as a texel, so half the resolution is enough.
-    let clouds = Sky::from_fn(face_texels.div_ceil(2), milky_way);
+    let clouds = Cube::from_fn(face_texels.div_ceil(2), milky_way);
     let stars = StarLayer::new(face_texels, stars(&clouds, face_texels));
     Sky::from_rows(face_texels, |face, row, texels| {
         for (column, texel) in (0..).zip(texels.iter_mut()) {
@@ -34,7 +35,7 @@ pub fn starmap(face_texels: u32) -> Sky {
     })
 }
 
-fn stars(clouds: &Sky, face_texels: u32) -> Vec<Star> {
+fn stars(clouds: &Cube, face_texels: u32) -> Vec<Star> {
     let mut random = Random::new(SEED);
     let mut stars = Vec::new();
     for _ in 0..FIELD_STARS {
@@ -59,7 +60,7 @@ fn stars(clouds: &Sky, face_texels: u32) -> Vec<Star> {
 }
 
 /// A random direction, likelier where the Milky Way is bright.
-fn disc_direction(clouds: &Sky, random: &mut Random) -> Vec3 {
+fn disc_direction(clouds: &Cube, random: &mut Random) -> Vec3 {
     loop {
         let direction = random.direction();
         if BRIGHTEST_CLOUD * random.unit() < clouds.sample(direction).y {

@@ -1,0 +1,57 @@
+//! `viewer reference`: the filtered picture against many rays a pixel by direct integration.
+
+use super::CommandError;
+use crate::cli::ReferenceArgs;
+use lensbake_report::{Outcome, Progress};
+use lensbake_tables::container::write_whole;
+use std::fs;
+use std::io::{self, Write};
+use viewer::gpu::{Gpu, Renderer};
+use viewer::reference::{cases, csv, figure, study};
+use viewer::sky::{self, SkySource};
+
+const SKIES: [(&str, SkySource); 3] = [
+    ("nebula", SkySource::Nebula),
+    ("starmap", SkySource::Starmap),
+    ("grid", SkySource::Grid),
+];
+
+pub fn run(args: &ReferenceArgs) -> Result<Outcome, CommandError> {
+    let folder = |error| CommandError::Folder(args.output.clone(), error);
+    let (width, height) = args.size;
+    let gpu = Gpu::open()?;
+    fs::create_dir_all(&args.output).map_err(folder)?;
+    let mut table = csv::HEAD.to_owned();
+    let mut outcome = Outcome::Done;
+    for (name, source) in SKIES {
+        let renderer = Renderer::new(&gpu, &sky::load(&source)?)?;
+        let mut studies = Vec::new();
+        for case in cases(width, height) {
+            let progress = Progress::new(name, height.into());
+            let found = study(&renderer, case, args.rays, |rows| {
+                progress.reach(rows.into())
+            })?;
+            progress.finish();
+            table += &csv::lines(name, &found);
+            if !found.is_good() {
+                eprintln!(
+                    "viewer: the filtered {name} at {} misses its bar",
+                    found.case.name
+                );
+                outcome = Outcome::Missed;
+            }
+            studies.push(found);
+        }
+        figure::write(&args.output.join(format!("{name}.png")), &studies)?;
+    }
+    write_whole(&args.output.join("filter.csv"), table.as_bytes()).map_err(folder)?;
+    io::stdout()
+        .write_all(table.as_bytes())
+        .map_err(CommandError::Stdout)?;
+    eprintln!(
+        "measured on {}; wrote {}",
+        gpu.name(),
+        args.output.display()
+    );
+    Ok(outcome)
+}
