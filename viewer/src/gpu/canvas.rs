@@ -132,10 +132,9 @@ impl Canvas {
         self.queue
             .write_buffer(&self.blocks, 0, bytemuck::cast_slice(&blocks));
         let shadow = Shadow::of(scene);
-        let step = scene.method.integrator_step();
         for (i, &tile) in self.tiles.iter().enumerate() {
             let lists = self.lists.get(i).copied().unwrap_or_default();
-            let frame = Frame::new(&scene.camera, tile, step, gain)
+            let frame = Frame::new(&scene.camera, tile, gain)
                 .filtered(shadow, lists.map(|list| list.first));
             let offset = i as u64 * self.frame_stride;
             self.queue

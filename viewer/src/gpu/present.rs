@@ -3,7 +3,6 @@
 use super::renderer::{bind_group_layout, resource, texture_binding};
 use super::{Frame, Gpu, Live, Tile};
 use crate::camera::Camera;
-use crate::scene::Method;
 use lensbake_tables::{Interpolation, lookup};
 use wgpu::*;
 
@@ -122,7 +121,7 @@ impl Presenter {
             first: [0, 0],
             count: [window.width, window.height],
         };
-        let frame = Frame::new(window, whole, Method::DEFAULT_STEP, 1.0);
+        let frame = Frame::new(window, whole, 1.0);
         let present = Present {
             picture,
             divider: showing.divider.unwrap_or(NO_DIVIDER),

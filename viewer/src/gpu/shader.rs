@@ -61,7 +61,8 @@ pub fn shader_source(
     interpolation: Interpolation,
 ) -> String {
     let lut = include_str!("../shaders/deflect_lut.wgsl");
-    let direct = include_str!("../shaders/deflect_direct.wgsl");
+    let step = format!("const STEP: f32 = {:?};", method.integrator_step());
+    let direct = &[&step, include_str!("../shaders/deflect_direct.wgsl")].join("\n");
     let flat = include_str!("../shaders/deflect_flat.wgsl");
     let deflect = match (output, method) {
         (Output::Difference, _) => [lut, direct].join("\n"),

@@ -75,7 +75,7 @@ impl Running {
         let window = Arc::new(window);
         let settings = Settings::new(options.view, options.step);
         let row = super::row(&settings, &options.table, &options.table_name)?;
-        let (stage, on_device) = Stage::new(window.clone(), sky, &row)?;
+        let (stage, on_device) = Stage::new(window.clone(), sky, &row, options.step)?;
         let panel = Panel::new(&window, stage.gpu(), stage.format());
         window.request_redraw();
         Ok(Running {

@@ -32,8 +32,8 @@ pub enum Shown {
 }
 
 impl Stage {
-    /// A stage for `window`, before `sky`, with rows of the shape of `row`. Returns the sky on the device
-    /// with it.
+    /// A stage for `window`, before `sky`, with rows of the shape of `row` and a direct integrator of this
+    /// step, rad. Returns the sky on the device with it.
     ///
     /// # Errors
     /// [`WindowError::Gpu`] if there is no GPU, or it cannot draw to the window.
@@ -41,6 +41,7 @@ impl Stage {
         window: Arc<Window>,
         sky: &Sky,
         row: &Row,
+        step: f64,
     ) -> Result<(Self, SkyOnDevice), WindowError> {
         let (gpu, surface) = Gpu::open_for(window.clone())?;
         let capabilities = surface.get_capabilities(gpu.adapter());
@@ -62,7 +63,7 @@ impl Stage {
         surface.configure(&gpu.device, &config);
         let renderer = Renderer::new(&gpu, sky)?;
         let on_device = renderer.sky();
-        let live = Live::new(renderer, row, [1, 1]);
+        let live = Live::new(renderer, row, [1, 1], &[step]);
         let stage = Stage {
             presenter: Presenter::new(&gpu, &live, format),
             stopwatch: Stopwatch::new(&gpu),
