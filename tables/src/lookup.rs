@@ -6,7 +6,10 @@ use crate::{Interpolation, Row, Texel};
 use lensbake_core::{Fate, Observer};
 
 /// The same lookup for a GPU. Needs before it the text of [`wgsl_row`].
-pub const WGSL: &str = include_str!("lookup.wgsl");
+pub const WGSL: &str = concat!(include_str!("arithmetic.wgsl"), include_str!("lookup.wgsl"));
+
+/// The part of [`WGSL`] that needs no row: `cubic` and `cos_sin`.
+pub const ARITHMETIC_WGSL: &str = include_str!("arithmetic.wgsl");
 
 /// WGSL that declares the row as a 1-D texture of `texels` texels at the given binding, loads from
 /// it, and reads between two texels by `interpolation`: by hand, for hardware filters have 8-bit
@@ -101,15 +104,7 @@ impl GpuRow {
     /// Cubic Hermite at `position` in texels: the value and its derivative a texel.
     pub fn hermite(&self, position: f32) -> [f32; 2] {
         let i = (position as usize).min(self.texels.len() - 2);
-        let t = position - i as f32;
-        let ([a, slope_a], [b, slope_b]) = (self.texels[i], self.texels[i + 1]);
-        let rise = b - a;
-        let c2 = 3.0 * rise - 2.0 * slope_a - slope_b;
-        let c3 = slope_a + slope_b - 2.0 * rise;
-        [
-            a + t * (slope_a + t * (c2 + t * c3)),
-            slope_a + t * (2.0 * c2 + t * 3.0 * c3),
-        ]
+        cubic(self.texels[i], self.texels[i + 1], position - i as f32)
     }
 
     /// The bending in the direction with cos θ = `c` and sin θ = `p`.
@@ -132,6 +127,18 @@ impl GpuRow {
             slope: -by_x * x / p.max(1e-30),
         })
     }
+}
+
+/// The cubic that has the values and slopes of the texels `a` and `b` at t = 0 and 1: its value and its
+/// derivative at `t`.
+pub fn cubic([a, slope_a]: Texel, [b, slope_b]: Texel, t: f32) -> [f32; 2] {
+    let rise = b - a;
+    let c2 = 3.0 * rise - 2.0 * slope_a - slope_b;
+    let c3 = slope_a + slope_b - 2.0 * rise;
+    [
+        a + t * (slope_a + t * (c2 + t * c3)),
+        slope_a + t * (2.0 * c2 + t * 3.0 * c3),
+    ]
 }
 
 /// (cos, sin) of an angle in rad, to 1e-7 up to 100 turns: Cody and Waite's reduction to a quarter
