@@ -194,6 +194,6 @@ fn pictures_on_the_gpu_keep_their_budget_too() {
     assert!(met >= 60, "{met}");
 }
 
-fn renderer<'a>(gpu: &'a viewer::gpu::Gpu, sky: &Sky) -> Renderer<'a> {
+fn renderer(gpu: &viewer::gpu::Gpu, sky: &Sky) -> Renderer {
     Renderer::new(gpu, sky).unwrap()
 }

@@ -31,8 +31,8 @@ pub enum GpuError {
     },
 }
 
-/// An open device.
-#[derive(Debug)]
+/// An open device; a clone is the same device.
+#[derive(Debug, Clone)]
 pub struct Gpu {
     /// The device.
     pub device: Device,

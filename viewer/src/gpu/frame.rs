@@ -4,52 +4,64 @@ use crate::scene::{Method, Scene};
 use glam::DVec3;
 use lensbake_tables::lookup::Edge;
 
+/// A rectangle of pixels: what one dispatch draws.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Tile {
+    /// Column and row of its first pixel.
+    pub first: [u32; 2],
+    /// Its width and height, pixels.
+    pub count: [u32; 2],
+}
+
 /// The struct `Frame` of `shaders/frame.wgsl`.
 #[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub struct Frame {
     right: [f32; 3],
-    width: u32,
-    down: [f32; 3],
-    height: u32,
-    forward: [f32; 3],
-    first_row: u32,
-    sky_x: [f32; 3],
     u: f32,
-    sky_y: [f32; 3],
+    down: [f32; 3],
     lapse: f32,
-    sky_z: [f32; 3],
+    forward: [f32; 3],
     step: f32,
+    sky_x: [f32; 3],
+    gain: f32,
+    sky_y: [f32; 3],
+    padding: f32,
+    sky_z: [f32; 3],
+    padding_2: f32,
     edge: [f32; 2],
-    rows: u32,
-    padding: u32,
+    size: [u32; 2],
+    first: [u32; 2],
+    count: [u32; 2],
 }
 
 impl Frame {
-    /// The rows `first_row .. first_row + rows` of a scene's picture.
-    pub fn new(scene: &Scene, first_row: u32, rows: u32) -> Self {
+    /// One tile of a scene's picture. `gain` amplifies a difference; nothing else reads it. A scene
+    /// whose own method takes no steps has a direct integrator beside it in the default step.
+    pub fn new(scene: &Scene, tile: Tile, gain: f32) -> Self {
         let vector = |v: DVec3| v.as_vec3().to_array();
         let camera = &scene.camera;
         let edge = Edge::of(&camera.observer);
         Frame {
             right: vector(camera.right),
-            width: camera.width,
-            down: vector(camera.down),
-            height: camera.height,
-            forward: vector(camera.forward),
-            first_row,
-            sky_x: vector(camera.sky_from_hole.x_axis),
             u: camera.observer.inverse_radius() as f32,
-            sky_y: vector(camera.sky_from_hole.y_axis),
+            down: vector(camera.down),
             lapse: camera.observer.lapse() as f32,
-            sky_z: vector(camera.sky_from_hole.z_axis),
+            forward: vector(camera.forward),
             step: match scene.method {
                 Method::Direct { step } => step as f32,
-                Method::Lut | Method::Flat => 0.0,
+                Method::Lut | Method::Flat => Method::DEFAULT_STEP as f32,
             },
+            sky_x: vector(camera.sky_from_hole.x_axis),
+            gain,
+            sky_y: vector(camera.sky_from_hole.y_axis),
+            padding: 0.0,
+            sky_z: vector(camera.sky_from_hole.z_axis),
+            padding_2: 0.0,
             edge: [edge.tan_half, edge.log_weight],
-            rows,
-            padding: 0,
+            size: [camera.width, camera.height],
+            first: tile.first,
+            count: tile.count,
         }
     }
 }
@@ -57,13 +69,19 @@ impl Frame {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::shader::{Output, shader_source};
+    use crate::gpu::shader::{Output, Store, shader_source};
     use lensbake_tables::Interpolation;
     use std::mem::offset_of;
 
     #[test]
     fn the_layout_is_the_shaders() {
-        let source = shader_source(Method::Flat, Output::Trace, 64, Interpolation::Hermite);
+        let source = shader_source(
+            Method::Flat,
+            Output::Trace,
+            Store::Buffer,
+            64,
+            Interpolation::Hermite,
+        );
         let module = naga::front::wgsl::parse_str(&source).unwrap();
         let (members, span) = module
             .types
@@ -86,8 +104,8 @@ mod tests {
             };
         }
         same_offsets!(
-            right, width, down, height, forward, first_row, sky_x, u, sky_y, lapse, sky_z, step,
-            edge, rows
+            right, u, down, lapse, forward, step, sky_x, gain, sky_y, sky_z, edge, size, first,
+            count
         );
         assert_eq!(span as usize, size_of::<Frame>());
     }

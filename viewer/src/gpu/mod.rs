@@ -1,5 +1,6 @@
 //! The GPU: the device, and the renderer that draws a [`crate::scene::Scene`] on it.
 
+mod canvas;
 mod device;
 mod frame;
 mod prepared;
@@ -7,9 +8,10 @@ mod renderer;
 mod shader;
 mod timer;
 
+pub use canvas::{Canvas, Target};
 pub use device::{Gpu, GpuError};
-pub use frame::Frame;
-pub use prepared::{Band, Prepared};
+pub use frame::{Frame, Tile};
+pub use prepared::{Prepared, band_pixels};
 pub use renderer::{Renderer, Trace};
-pub use shader::{Output, shader_source};
+pub use shader::{Output, Store, shader_source};
 pub use timer::{FrameTime, Timer};

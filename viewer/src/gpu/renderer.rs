@@ -1,12 +1,13 @@
 //! Draws scenes on a GPU.
 
-use super::prepared::{Prepared, resource};
-use super::{Gpu, GpuError, Output};
+use super::canvas::storage_texture_binding;
+use super::{Gpu, GpuError, Output, Prepared, Store, Target, shader_source};
 use crate::picture::Picture;
-use crate::scene::Scene;
+use crate::scene::{Method, Scene};
 use crate::sky::Sky;
 use glam::{DVec3, Vec3};
 use lensbake_core::Fate;
+use lensbake_tables::Row;
 use wgpu::util::DeviceExt;
 use wgpu::*;
 
@@ -16,45 +17,86 @@ pub type Trace = Vec<Fate<DVec3>>;
 
 /// A renderer on one device, with one sky.
 #[derive(Debug)]
-pub struct Renderer<'a> {
-    pub(super) gpu: &'a Gpu,
-    pub(super) frame_layout: BindGroupLayout,
-    pub(super) sky_layout: BindGroupLayout,
+pub struct Renderer {
+    pub(super) gpu: Gpu,
     pub(super) sky: BindGroup,
+    sky_layout: BindGroupLayout,
+    buffer_layout: BindGroupLayout,
+    texture_layout: BindGroupLayout,
 }
 
-impl<'a> Renderer<'a> {
+impl Renderer {
     /// A renderer that has `sky` on the device.
     ///
     /// # Errors
     /// [`GpuError::Failed`] if the sky does not fit.
-    pub fn new(gpu: &'a Gpu, sky: &Sky) -> Result<Self, GpuError> {
+    pub fn new(gpu: &Gpu, sky: &Sky) -> Result<Self, GpuError> {
         let device = &gpu.device;
-        let sky_layout = device.create_bind_group_layout(&BindGroupLayoutDescriptor {
-            label: Some("sky"),
-            entries: &[
-                entry(0, texture_binding(TextureViewDimension::Cube, true)),
-                entry(1, BindingType::Sampler(SamplerBindingType::Filtering)),
+        let sky_layout = layout(
+            device,
+            "sky",
+            &[
+                texture_binding(TextureViewDimension::Cube, true),
+                BindingType::Sampler(SamplerBindingType::Filtering),
             ],
-        });
-        let frame_layout = device.create_bind_group_layout(&BindGroupLayoutDescriptor {
-            label: Some("frame"),
-            entries: &[
-                entry(0, buffer_binding(BufferBindingType::Uniform)),
-                entry(1, texture_binding(TextureViewDimension::D1, false)),
-                entry(
-                    2,
-                    buffer_binding(BufferBindingType::Storage { read_only: false }),
-                ),
-            ],
-        });
-        let sky = sky_bind_group(gpu, &sky_layout, sky);
-        gpu.wait()?;
-        Ok(Renderer {
-            gpu,
-            frame_layout,
+        );
+        let frame_layout = |label, output| {
+            let row = texture_binding(TextureViewDimension::D1, false);
+            layout(device, label, &[frame_binding(), row, output])
+        };
+        let renderer = Renderer {
+            sky: sky_bind_group(gpu, &sky_layout, sky),
             sky_layout,
-            sky,
+            buffer_layout: frame_layout("frame to a buffer", storage_buffer_binding()),
+            texture_layout: frame_layout("frame to a texture", storage_texture_binding()),
+            gpu: gpu.clone(),
+        };
+        gpu.wait()?;
+        Ok(renderer)
+    }
+
+    /// The device it draws on.
+    pub fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    /// The bind group layout of a frame and what it is written to.
+    pub(super) fn frame_layout(&self, store: Store) -> &BindGroupLayout {
+        match store {
+            Store::Buffer => &self.buffer_layout,
+            Store::Texture => &self.texture_layout,
+        }
+    }
+
+    /// The pipeline that draws `output` by `method` with rows of the shape of `row`. Compiles: nothing to
+    /// do in a frame.
+    pub fn pipeline(
+        &self,
+        method: Method,
+        output: Output,
+        store: Store,
+        row: &Row,
+    ) -> ComputePipeline {
+        let device = &self.gpu.device;
+        let (texels, interpolation) = (row.texel_count(), row.interpolation());
+        let source = shader_source(method, output, store, texels, interpolation);
+        let label = Some(output.entry_point());
+        let module = device.create_shader_module(ShaderModuleDescriptor {
+            label,
+            source: ShaderSource::Wgsl(source.into()),
+        });
+        let layout = device.create_pipeline_layout(&PipelineLayoutDescriptor {
+            label,
+            bind_group_layouts: &[Some(self.frame_layout(store)), Some(&self.sky_layout)],
+            immediate_size: 0,
+        });
+        device.create_compute_pipeline(&ComputePipelineDescriptor {
+            label,
+            layout: Some(&layout),
+            module: &module,
+            entry_point: label,
+            compilation_options: Default::default(),
+            cache: None,
         })
     }
 
@@ -87,7 +129,7 @@ impl<'a> Renderer<'a> {
     }
 
     /// Makes everything that drawing `scene` needs, so that what remains are the dispatches.
-    pub fn prepare(&self, scene: &Scene, output: Output) -> Prepared<'_> {
+    pub fn prepare(&self, scene: &Scene, output: Output) -> Prepared {
         Prepared::new(self, scene, output)
     }
 
@@ -97,23 +139,27 @@ impl<'a> Renderer<'a> {
         output: Output,
         band_done: impl Fn(u32),
     ) -> Result<Vec<[f32; 4]>, GpuError> {
-        let Gpu { device, queue, .. } = self.gpu;
+        let Gpu { device, queue, .. } = &self.gpu;
         let prepared = self.prepare(scene, output);
+        let Target::Buffer(written) = prepared.canvas().target() else {
+            unreachable!("prepared to be read back");
+        };
         let read_back = device.create_buffer(&BufferDescriptor {
             label: Some("pixels read back"),
-            size: prepared.written().size(),
+            size: written.size(),
             usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
             mapped_at_creation: false,
         });
         let mut pixels = Vec::with_capacity(scene.camera.pixels());
-        for band in prepared.bands() {
+        for (i, band) in prepared.bands().iter().enumerate() {
             let mut encoder = device.create_command_encoder(&Default::default());
-            prepared.encode(&mut encoder, band, None);
-            encoder.copy_buffer_to_buffer(prepared.written(), 0, &read_back, 0, read_back.size());
+            prepared.encode(&mut encoder, i, None);
+            encoder.copy_buffer_to_buffer(written, 0, &read_back, 0, read_back.size());
             queue.submit([encoder.finish()]);
             let written: Vec<[f32; 4]> = self.gpu.read(&read_back)?;
-            pixels.extend(&written[..band.rows() as usize * scene.camera.width as usize]);
-            band_done(band.end());
+            let [width, rows] = band.count;
+            pixels.extend(&written[..rows as usize * width as usize]);
+            band_done(band.first[1] + rows);
         }
         Ok(pixels)
     }
@@ -159,18 +205,38 @@ fn sky_bind_group(gpu: &Gpu, layout: &BindGroupLayout, sky: &Sky) -> BindGroup {
     })
 }
 
-fn entry(binding: u32, ty: BindingType) -> BindGroupLayoutEntry {
-    BindGroupLayoutEntry {
-        binding,
-        visibility: ShaderStages::COMPUTE,
-        ty,
-        count: None,
+/// A layout of `bindings` in their order, for compute shaders.
+fn layout(device: &Device, label: &str, bindings: &[BindingType]) -> BindGroupLayout {
+    let entries: Vec<BindGroupLayoutEntry> = (0..)
+        .zip(bindings)
+        .map(|(binding, &ty)| BindGroupLayoutEntry {
+            binding,
+            visibility: ShaderStages::COMPUTE,
+            ty,
+            count: None,
+        })
+        .collect();
+    device.create_bind_group_layout(&BindGroupLayoutDescriptor {
+        label: Some(label),
+        entries: &entries,
+    })
+}
+
+pub(super) fn resource(binding: u32, resource: BindingResource<'_>) -> BindGroupEntry<'_> {
+    BindGroupEntry { binding, resource }
+}
+
+fn frame_binding() -> BindingType {
+    BindingType::Buffer {
+        ty: BufferBindingType::Uniform,
+        has_dynamic_offset: true,
+        min_binding_size: None,
     }
 }
 
-fn buffer_binding(ty: BufferBindingType) -> BindingType {
+fn storage_buffer_binding() -> BindingType {
     BindingType::Buffer {
-        ty,
+        ty: BufferBindingType::Storage { read_only: false },
         has_dynamic_offset: false,
         min_binding_size: None,
     }

@@ -3,13 +3,16 @@
 use crate::scene::Method;
 use lensbake_tables::{Interpolation, lookup};
 
-/// What a dispatch writes.
+/// What a dispatch finds out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Output {
     /// The light of each pixel.
     Picture,
     /// Where each pixel's light comes from.
     Trace,
+    /// How far the light by the table and by direct integration are apart, amplified; whatever the
+    /// scene's own method is.
+    Difference,
 }
 
 impl Output {
@@ -18,34 +21,71 @@ impl Output {
         match self {
             Output::Picture => "picture",
             Output::Trace => "trace",
+            Output::Difference => "difference",
         }
     }
+
+    /// Whether it looks at the sky.
+    pub fn sees_sky(self) -> bool {
+        self != Output::Trace
+    }
+}
+
+/// Where a dispatch writes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Store {
+    /// To a buffer of one tile, in 32-bit floats: to be read back.
+    Buffer,
+    /// To a texture of the whole picture, in 16-bit floats: to be shown.
+    Texture,
 }
 
 /// The WGSL of one method and output, for rows of `texels` texels read by `interpolation`.
 pub fn shader_source(
     method: Method,
     output: Output,
+    store: Store,
     texels: u32,
     interpolation: Interpolation,
 ) -> String {
-    let deflect = match method {
-        Method::Lut => include_str!("../shaders/deflect_lut.wgsl"),
-        Method::Direct { .. } => include_str!("../shaders/deflect_direct.wgsl"),
-        Method::Flat => include_str!("../shaders/deflect_flat.wgsl"),
+    let lut = include_str!("../shaders/deflect_lut.wgsl");
+    let direct = include_str!("../shaders/deflect_direct.wgsl");
+    let flat = include_str!("../shaders/deflect_flat.wgsl");
+    let deflect = match (output, method) {
+        (Output::Difference, _) => [lut, direct].join("\n"),
+        (_, Method::Lut) => deflect_by(lut, "deflect_lut"),
+        (_, Method::Direct { .. }) => deflect_by(direct, "deflect_direct"),
+        (_, Method::Flat) => deflect_by(flat, "deflect_flat"),
     };
-    let output = match output {
+    let store = match store {
+        Store::Buffer => include_str!("../shaders/store_buffer.wgsl"),
+        Store::Texture => include_str!("../shaders/store_texture.wgsl"),
+    };
+    let entry_point = match output {
         Output::Picture => include_str!("../shaders/picture.wgsl"),
         Output::Trace => include_str!("../shaders/trace.wgsl"),
+        Output::Difference => include_str!("../shaders/difference.wgsl"),
+    };
+    let sky = if output.sees_sky() {
+        include_str!("../shaders/sky.wgsl")
+    } else {
+        ""
     };
     [
         &lookup::wgsl_row(texels, interpolation, 0, 1),
         lookup::WGSL,
         include_str!("../shaders/frame.wgsl"),
-        deflect,
-        output,
+        store,
+        &deflect,
+        sky,
+        entry_point,
     ]
     .join("\n")
+}
+
+/// The text of one method, called `deflect` by those who do not care which it is.
+fn deflect_by(text: &str, name: &str) -> String {
+    format!("{text}\nfn deflect(c: f32, p: f32) -> Turned {{ return {name}(c, p); }}\n")
 }
 
 #[cfg(test)]
@@ -56,16 +96,28 @@ mod tests {
     #[test]
     fn every_shader_is_valid() {
         let methods = [Method::Lut, Method::Direct { step: 0.1 }, Method::Flat];
+        let outputs = [Output::Picture, Output::Trace, Output::Difference];
         let reads = [Interpolation::Linear, Interpolation::Hermite];
-        for (method, interpolation) in methods.into_iter().flat_map(|m| reads.map(|r| (m, r))) {
-            for output in [Output::Picture, Output::Trace] {
-                let source = shader_source(method, output, 64, interpolation);
-                let module = naga::front::wgsl::parse_str(&source)
-                    .unwrap_or_else(|e| panic!("{}", e.emit_to_string(&source)));
-                Validator::new(ValidationFlags::all(), Capabilities::empty())
-                    .validate(&module)
-                    .unwrap_or_else(|e| panic!("{method:?} {output:?}: {e:?}"));
+        let mut validated = 0;
+        for method in methods {
+            for output in outputs {
+                for store in [Store::Buffer, Store::Texture] {
+                    for interpolation in reads {
+                        let source = shader_source(method, output, store, 64, interpolation);
+                        validate(&source);
+                        validated += 1;
+                    }
+                }
             }
         }
+        assert_eq!(validated, 36);
+    }
+
+    fn validate(source: &str) {
+        let module = naga::front::wgsl::parse_str(source)
+            .unwrap_or_else(|e| panic!("{}", e.emit_to_string(source)));
+        Validator::new(ValidationFlags::all(), Capabilities::empty())
+            .validate(&module)
+            .unwrap_or_else(|e| panic!("{e:?} in\n{source}"));
     }
 }

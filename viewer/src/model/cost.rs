@@ -70,7 +70,7 @@ impl fmt::Display for Cost {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::{Output, shader_source};
+    use crate::gpu::{Output, Store, shader_source};
     use naga::{Block, Expression, Function, Handle, Module, Statement};
 
     /// Operations outside and inside loops, and texel loads, of a function and those it calls.
@@ -153,12 +153,17 @@ mod tests {
     }
 
     fn counted(method: Method, interpolation: Interpolation) -> Count {
-        let source = shader_source(method, Output::Trace, 64, interpolation);
+        let source = shader_source(method, Output::Trace, Store::Buffer, 64, interpolation);
         let module = naga::front::wgsl::parse_str(&source).unwrap();
+        let name = match method {
+            Method::Lut => "deflect_lut",
+            Method::Direct { .. } => "deflect_direct",
+            Method::Flat => "deflect_flat",
+        };
         let deflect = module
             .functions
             .iter()
-            .find(|(_, f)| f.name.as_deref() == Some("deflect"))
+            .find(|(_, f)| f.name.as_deref() == Some(name))
             .unwrap()
             .1;
         count(&module, deflect)

@@ -37,7 +37,7 @@ fn land(y: vec2<f32>) -> f32 {
     return h / 6.0 * (m1 + 2.0 * (m2 + m3) + 1.0 / v4);
 }
 
-fn deflect(c: f32, p: f32) -> Turned {
+fn deflect_direct(c: f32, p: f32) -> Turned {
     // du/dφ = u √(1−u) cot θ, positive towards the hole.
     var y = vec2(frame.u, frame.u * frame.lapse * c / max(p, 1e-20));
     if y.y > PLUNGE {

@@ -1,5 +1,5 @@
 // The table turns the light. Twin of deflect::look_up.
-fn deflect(c: f32, p: f32) -> Turned {
+fn deflect_lut(c: f32, p: f32) -> Turned {
     let bent = bending(c, p, Edge(frame.edge.x, frame.edge.y));
     if bent.captured {
         return Turned(CAPTURED, 0.0, 0.0);

@@ -1,30 +1,30 @@
 // What a frame needs besides its row; laid out by gpu/frame.rs. All vectors are in the hole frame:
 // the camera at the origin, the hole along -Z.
 struct Frame {
-    // Step of the view direction from one pixel to the next on the right, and below.
+    // Step of the view direction from one pixel to the next on the right, and 1/r of the observer.
     right: vec3<f32>,
-    width: u32,
-    down: vec3<f32>,
-    height: u32,
-    forward: vec3<f32>,
-    first_row: u32,
-    // Columns of the rotation from the hole frame to the sky frame.
-    sky_x: vec3<f32>,
-    // 1/r of the observer, √(1 − 1/r), and the direct integrator's step in rad.
     u: f32,
-    sky_y: vec3<f32>,
+    // The same from one pixel to the next below, and √(1 − 1/r).
+    down: vec3<f32>,
     lapse: f32,
-    sky_z: vec3<f32>,
+    // View direction of the picture's middle, and the direct integrator's step in rad.
+    forward: vec3<f32>,
     step: f32,
+    // Columns of the rotation from the hole frame to the sky frame. A difference is amplified by gain.
+    sky_x: vec3<f32>,
+    gain: f32,
+    sky_y: vec3<f32>,
+    sky_z: vec3<f32>,
     // tan(θ_c/2) and (5/18) cos θ_c: the members of Edge.
     edge: vec2<f32>,
-    // Rows of pixels of this dispatch.
-    rows: u32,
+    // Width and height of the picture, pixels.
+    size: vec2<u32>,
+    // The tile that this dispatch draws: its first pixel, its width and height.
+    first: vec2<u32>,
+    count: vec2<u32>,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
-// Row-major [rows][width].
-@group(0) @binding(2) var<storage, read_write> output: array<vec4<f32>>;
 
 const CAPTURED: u32 = 0u;
 const ESCAPES: u32 = 1u;
@@ -37,11 +37,15 @@ struct Turned {
     sin_sky: f32,
 }
 
-// The unit direction of the middle of a pixel. Twin of Camera::direction.
-fn view_direction(column: u32, row: u32) -> vec3<f32> {
-    let across = f32(column) + 0.5 - 0.5 * f32(frame.width);
-    let along = f32(row) + 0.5 - 0.5 * f32(frame.height);
-    return normalize(frame.forward + frame.right * across + frame.down * along);
+// Whether the dispatch's invocation `id` has a pixel in the tile.
+fn in_tile(id: vec3<u32>) -> bool {
+    return all(id.xy < frame.count);
+}
+
+// The unit direction of the middle of the pixel `id` of the tile. Twin of Camera::direction.
+fn view_direction(id: vec2<u32>) -> vec3<f32> {
+    let from_middle = vec2<f32>(frame.first + id) + 0.5 - 0.5 * vec2<f32>(frame.size);
+    return normalize(frame.forward + frame.right * from_middle.x + frame.down * from_middle.y);
 }
 
 // The direction d turned in its plane through the hole. Twin of Sight::turn.

@@ -1,0 +1,7 @@
+// Row-major, as wide as the tile.
+@group(0) @binding(2) var<storage, read_write> output: array<vec4<f32>>;
+
+// Keeps what the pixel `id` of the tile is.
+fn store(id: vec2<u32>, pixel: vec4<f32>) {
+    output[id.y * frame.count.x + id.x] = pixel;
+}
