@@ -16,3 +16,4 @@ pub mod model;
 pub mod picture;
 pub mod scene;
 pub mod sky;
+pub mod stars;

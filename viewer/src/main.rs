@@ -17,6 +17,7 @@ fn main() -> ExitCode {
     let outcome = match cli.command {
         Command::Render(args) => commands::render::run(&args),
         Command::Chart(args) => commands::chart::run(&args),
+        Command::Catalogue(args) => commands::catalogue::run(&args),
         Command::Diff(args) => commands::diff::run(&args),
     };
     Outcome::end(PROGRAM, outcome)

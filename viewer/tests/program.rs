@@ -130,7 +130,7 @@ fn skies_that_are_none_are_refused_in_one_line() {
     render(&square).refuses(&[&square, "twice as wide as high"]);
     let five = [pixel.as_str(); 5].join(",");
     render(&five).refuses(&["one panorama or six cube faces, not 5 files"]);
-    render("nebla").refuses(&["nebla", "built-in sky (nebula, starmap, grid)"]);
+    render("nebla").refuses(&["nebla", "built-in sky (nebula, starmap, grid, stars)"]);
     render(folder.path().to_str().unwrap()).refuses(&[folder.path().to_str().unwrap()]);
     assert!(!Path::new(&out).exists());
 }

@@ -1,6 +1,6 @@
 //! `viewer render`: a picture to a file.
 
-use super::{CommandError, gpu, least, scene};
+use super::{CommandError, gpu, least, scene, star_field};
 use crate::cli::{MethodName, RenderArgs};
 use lensbake_report::{Outcome, Progress};
 use std::time::Instant;
@@ -10,6 +10,7 @@ use viewer::model::DEFAULT_BUDGET_PX;
 use viewer::picture::Picture;
 use viewer::scene::{Method, Scene};
 use viewer::sky::{self, Sky};
+use viewer::stars::{self, StarField};
 
 pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     Picture::check_path(&args.output)?;
@@ -24,6 +25,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     least::check_budget(budget_px)?;
     let mut scene = scene(&args.scene, method)?;
     let sky = sky::load(&args.scene.sky)?;
+    let stars = star_field(&args.stars, &args.scene.sky)?;
     let gpu = gpu(args.scene.device)?;
     let mut outcome = Outcome::Done;
     if args.explain || args.budget_px.is_some() {
@@ -41,7 +43,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     let started = Instant::now();
     let picture = match &gpu {
         Some(gpu) => on_gpu(gpu, &scene, &sky)?,
-        None => on_cpu(&scene, &sky),
+        None => on_cpu(&scene, &sky, stars.as_ref())?,
     };
     let device = gpu.map_or("the CPU".into(), |gpu| gpu.name());
     eprintln!(
@@ -60,9 +62,12 @@ fn on_gpu(gpu: &Gpu, scene: &Scene, sky: &Sky) -> Result<Picture, CommandError> 
     Ok(picture)
 }
 
-fn on_cpu(scene: &Scene, sky: &Sky) -> Picture {
+fn on_cpu(scene: &Scene, sky: &Sky, stars: Option<&StarField>) -> Result<Picture, CommandError> {
     let progress = Progress::new("drawing", scene.camera.height.into());
-    let picture = cpu::render(scene, sky, || progress.step());
+    let mut picture = cpu::render(scene, sky, || progress.step());
+    if let Some(stars) = stars {
+        stars::draw(&mut picture, scene, stars)?;
+    }
     progress.finish();
-    picture
+    Ok(picture)
 }

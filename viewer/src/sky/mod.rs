@@ -6,6 +6,7 @@
 //! The sky frame is right-handed with +Y up; the middle of a panorama lies along −Z and its right
 //! half along +X.
 
+use glam::Vec3;
 use std::path::PathBuf;
 
 mod cube;
@@ -37,6 +38,8 @@ pub enum SkySource {
     Starmap,
     /// Built in: circles of latitude and longitude over tinted octants, to judge distortion by eye.
     Grid,
+    /// Built in: black, for [`crate::stars`] to stand before.
+    Stars,
     /// One equirectangular picture, twice as wide as high; see [`load`].
     Panorama(PathBuf),
     /// Six square pictures of one size: right, left, top, bottom, front, back; see [`load`].
@@ -62,6 +65,7 @@ pub fn load(source: &SkySource) -> Result<Sky, SkyError> {
         SkySource::Nebula => Ok(nebula(BUILT_IN_FACE_TEXELS)),
         SkySource::Starmap => Ok(starmap(BUILT_IN_FACE_TEXELS)),
         SkySource::Grid => Ok(grid(BUILT_IN_FACE_TEXELS)),
+        SkySource::Stars => Ok(Sky::from_fn(1, |_| Vec3::ZERO)),
         SkySource::Panorama(path) => panorama::load(path),
         SkySource::Faces(paths) => faces::load(paths),
     }
