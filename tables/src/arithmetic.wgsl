@@ -25,3 +25,21 @@ fn cos_sin(angle: f32) -> vec2<f32> {
         select(swapped.y, -swapped.y, turn >= 2),
     );
 }
+
+// The angle in [0, π] whose cosine and sine are in the ratio of c to p ≥ 0, to 2e-7. The built-in function
+// need only be good to 4096 ulp.
+fn angle(c: f32, p: f32) -> f32 {
+    let a = abs(c);
+    var base = 0.0;
+    var x = p / max(a, 1e-30);
+    if p > 2.4142135 * a {
+        base = 1.5707964;
+        x = -a / p;
+    } else if p > 0.41421357 * a {
+        base = 0.7853982;
+        x = (p - a) / (p + a);
+    }
+    let z = x * x;
+    let first = base + (x + x * z * (-3.3332950e-1 + z * (1.9977711e-1 + z * (-1.3877685e-1 + z * 8.0537446e-2))));
+    return select(first, 3.1415927 - first, c < 0.0);
+}

@@ -8,7 +8,7 @@ use lensbake_core::{Fate, Observer};
 /// The same lookup for a GPU. Needs before it the text of [`wgsl_row`].
 pub const WGSL: &str = concat!(include_str!("arithmetic.wgsl"), include_str!("lookup.wgsl"));
 
-/// The part of [`WGSL`] that needs no row: `cubic` and `cos_sin`.
+/// The part of [`WGSL`] that needs no row: `cubic`, `cos_sin` and `angle`.
 pub const ARITHMETIC_WGSL: &str = include_str!("arithmetic.wgsl");
 
 /// WGSL that declares the row as a 1-D texture of `texels` texels at the given binding, loads from
@@ -158,6 +158,24 @@ pub fn cos_sin(angle: f32) -> [f32; 2] {
     }
 }
 
+/// The angle in [0, π] whose cosine and sine are in the ratio of `c` to `p` ≥ 0, to 2e-7: the reduction
+/// and the polynomial of Moshier's Cephes.
+pub fn angle(c: f32, p: f32) -> f32 {
+    use std::f32::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+    let a = c.abs();
+    let (base, x) = if p > 2.414_213_5 * a {
+        (FRAC_PI_2, -a / p)
+    } else if p > 0.414_213_57 * a {
+        (FRAC_PI_4, (p - a) / (p + a))
+    } else {
+        (0.0, p / a.max(1e-30))
+    };
+    let z = x * x;
+    let terms = -3.333_295e-1 + z * (1.997_771_1e-1 + z * (-1.387_768_5e-1 + z * 8.053_744_6e-2));
+    let first = base + (x + x * z * terms);
+    if c < 0.0 { PI - first } else { first }
+}
+
 /// (cos θ′, sin θ′) of the direction turned towards the hole, θ′ = θ − Δ.
 pub fn turned(c: f32, p: f32, bend: f32) -> [f32; 2] {
     let [cos, sin] = cos_sin(bend);
@@ -176,6 +194,17 @@ mod tests {
             let (exact_sin, exact_cos) = f64::from(angle).sin_cos();
             assert!((f64::from(cos) - exact_cos).abs() < 1.5e-7, "cos {angle}");
             assert!((f64::from(sin) - exact_sin).abs() < 1.5e-7, "sin {angle}");
+        }
+    }
+
+    #[test]
+    fn angle_is_good_to_a_few_ulp() {
+        for i in 0..=40_000 {
+            let theta = std::f64::consts::PI * f64::from(i) / 40_000.0;
+            let (c, p) = (theta.cos() as f32, theta.sin().max(0.0) as f32);
+            let exact = f64::from(p).atan2(c.into());
+            let off = (f64::from(angle(c, p)) - exact).abs();
+            assert!(off < 3e-7, "{theta}: {off:e}");
         }
     }
 

@@ -42,7 +42,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     }
     let started = Instant::now();
     let picture = match &gpu {
-        Some(gpu) => on_gpu(gpu, &scene, &sky)?,
+        Some(gpu) => on_gpu(gpu, &scene, &sky, stars.as_ref())?,
         None => on_cpu(&scene, &sky, stars.as_ref())?,
     };
     let device = gpu.map_or("the CPU".into(), |gpu| gpu.name());
@@ -55,9 +55,18 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     Ok(outcome)
 }
 
-fn on_gpu(gpu: &Gpu, scene: &Scene, sky: &Sky) -> Result<Picture, CommandError> {
+fn on_gpu(
+    gpu: &Gpu,
+    scene: &Scene,
+    sky: &Sky,
+    stars: Option<&StarField>,
+) -> Result<Picture, CommandError> {
     let progress = Progress::new("drawing", scene.camera.height.into());
-    let picture = Renderer::new(gpu, sky)?.picture(scene, |rows| progress.reach(rows.into()))?;
+    let mut renderer = Renderer::new(gpu, sky)?;
+    if let Some(stars) = stars {
+        renderer = renderer.with_stars(stars);
+    }
+    let picture = renderer.picture(scene, |rows| progress.reach(rows.into()))?;
     progress.finish();
     Ok(picture)
 }

@@ -21,6 +21,12 @@ pub enum GpuError {
         /// What it says.
         reason: String,
     },
+    /// More images of stars than its lists hold.
+    #[error(
+        "more images of stars than the GPU has room for: lower --star-exposure, leave out the faintest \
+         stars, or use --device cpu"
+    )]
+    TooManyStars,
     /// It failed while at work.
     #[error("the GPU {adapter} failed: {reason}")]
     Failed {

@@ -6,6 +6,7 @@ mod frame;
 mod prepared;
 mod renderer;
 mod shader;
+mod stars;
 mod timer;
 
 pub use canvas::{Canvas, Target};

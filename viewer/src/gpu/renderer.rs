@@ -1,13 +1,16 @@
 //! Draws scenes on a GPU.
 
 use super::canvas::storage_texture_binding;
+use super::stars::Stars;
 use super::{Gpu, GpuError, Output, Prepared, Store, Target, shader_source};
 use crate::picture::Picture;
 use crate::scene::{Method, Scene};
 use crate::sky::Sky;
+use crate::stars::StarField;
 use glam::{DVec3, Vec3};
 use lensbake_core::Fate;
 use lensbake_tables::Row;
+use std::sync::Arc;
 use wgpu::util::DeviceExt;
 use wgpu::*;
 
@@ -23,6 +26,7 @@ pub struct Renderer {
     sky_layout: BindGroupLayout,
     buffer_layout: BindGroupLayout,
     texture_layout: BindGroupLayout,
+    pub(super) stars: Option<Arc<Stars>>,
 }
 
 impl Renderer {
@@ -42,17 +46,27 @@ impl Renderer {
         );
         let frame_layout = |label, output| {
             let row = texture_binding(TextureViewDimension::D1, false);
-            layout(device, label, &[frame_binding(), row, output])
+            layout(device, label, &[uniform_binding(true), row, output])
         };
         let renderer = Renderer {
             sky: sky_bind_group(gpu, &sky_layout, sky),
             sky_layout,
-            buffer_layout: frame_layout("frame to a buffer", storage_buffer_binding()),
+            buffer_layout: frame_layout("frame to a buffer", storage_buffer_binding(false)),
             texture_layout: frame_layout("frame to a texture", storage_texture_binding()),
+            stars: None,
             gpu: gpu.clone(),
         };
         gpu.wait()?;
         Ok(renderer)
+    }
+
+    /// The same renderer with the stars of `field` before its sky. They are seen by pipelines and canvases
+    /// made from now on.
+    pub fn with_stars(self, field: &StarField) -> Self {
+        Renderer {
+            stars: Some(Arc::new(Stars::new(&self.gpu, field))),
+            ..self
+        }
     }
 
     /// The device it draws on.
@@ -79,15 +93,26 @@ impl Renderer {
     ) -> ComputePipeline {
         let device = &self.gpu.device;
         let (texels, interpolation) = (row.texel_count(), row.interpolation());
-        let source = shader_source(method, output, store, texels, interpolation);
+        let stars = self.stars.as_ref().filter(|_| output == Output::Picture);
+        let source = shader_source(
+            method,
+            output,
+            store,
+            texels,
+            interpolation,
+            stars.is_some(),
+        );
         let label = Some(output.entry_point());
         let module = device.create_shader_module(ShaderModuleDescriptor {
             label,
             source: ShaderSource::Wgsl(source.into()),
         });
+        let groups = [Some(self.frame_layout(store)), Some(&self.sky_layout)];
+        let lists = stars.map(|stars| Some(&stars.list_layout));
+        let groups: Vec<_> = groups.into_iter().chain(lists).collect();
         let layout = device.create_pipeline_layout(&PipelineLayoutDescriptor {
             label,
-            bind_group_layouts: &[Some(self.frame_layout(store)), Some(&self.sky_layout)],
+            bind_group_layouts: &groups,
             immediate_size: 0,
         });
         device.create_compute_pipeline(&ComputePipelineDescriptor {
@@ -103,7 +128,7 @@ impl Renderer {
     /// Draws the picture of a scene. `band_done` is called with the rows of pixels done so far.
     ///
     /// # Errors
-    /// [`GpuError::Failed`] if the device does.
+    /// [`GpuError::Failed`] if the device does, [`GpuError::TooManyStars`] if its lists are too short.
     pub fn picture(&self, scene: &Scene, band_done: impl Fn(u32)) -> Result<Picture, GpuError> {
         let pixels = self.run(scene, Output::Picture, band_done)?;
         let light = pixels.into_iter().map(|[r, g, b, _]| [r, g, b]).collect();
@@ -161,6 +186,7 @@ impl Renderer {
             pixels.extend(&written[..rows as usize * width as usize]);
             band_done(band.first[1] + rows);
         }
+        prepared.canvas().check_stars(&self.gpu)?;
         Ok(pixels)
     }
 }
@@ -206,7 +232,7 @@ fn sky_bind_group(gpu: &Gpu, layout: &BindGroupLayout, sky: &Sky) -> BindGroup {
 }
 
 /// A layout of `bindings` in their order, for compute shaders.
-fn layout(device: &Device, label: &str, bindings: &[BindingType]) -> BindGroupLayout {
+pub(super) fn layout(device: &Device, label: &str, bindings: &[BindingType]) -> BindGroupLayout {
     let entries: Vec<BindGroupLayoutEntry> = (0..)
         .zip(bindings)
         .map(|(binding, &ty)| BindGroupLayoutEntry {
@@ -226,23 +252,26 @@ pub(super) fn resource(binding: u32, resource: BindingResource<'_>) -> BindGroup
     BindGroupEntry { binding, resource }
 }
 
-fn frame_binding() -> BindingType {
+pub(super) fn uniform_binding(has_dynamic_offset: bool) -> BindingType {
     BindingType::Buffer {
         ty: BufferBindingType::Uniform,
-        has_dynamic_offset: true,
+        has_dynamic_offset,
         min_binding_size: None,
     }
 }
 
-fn storage_buffer_binding() -> BindingType {
+pub(super) fn storage_buffer_binding(read_only: bool) -> BindingType {
     BindingType::Buffer {
-        ty: BufferBindingType::Storage { read_only: false },
+        ty: BufferBindingType::Storage { read_only },
         has_dynamic_offset: false,
         min_binding_size: None,
     }
 }
 
-fn texture_binding(view_dimension: TextureViewDimension, filterable: bool) -> BindingType {
+pub(super) fn texture_binding(
+    view_dimension: TextureViewDimension,
+    filterable: bool,
+) -> BindingType {
     BindingType::Texture {
         sample_type: TextureSampleType::Float { filterable },
         view_dimension,

@@ -1,5 +1,6 @@
 //! The shader text of a frame, put together from the parts that differ and the parts that do not.
 
+use super::stars::light_source;
 use crate::scene::Method;
 use lensbake_tables::{Interpolation, lookup};
 
@@ -40,13 +41,15 @@ pub enum Store {
     Texture,
 }
 
-/// The WGSL of one method and output, for rows of `texels` texels read by `interpolation`.
+/// The WGSL of one method and output, for rows of `texels` texels read by `interpolation`; its picture sees
+/// stars if there are any.
 pub fn shader_source(
     method: Method,
     output: Output,
     store: Store,
     texels: u32,
     interpolation: Interpolation,
+    stars: bool,
 ) -> String {
     let lut = include_str!("../shaders/deflect_lut.wgsl");
     let direct = include_str!("../shaders/deflect_direct.wgsl");
@@ -71,6 +74,10 @@ pub fn shader_source(
     } else {
         ""
     };
+    let star_light = match output {
+        Output::Picture => light_source(stars),
+        Output::Trace | Output::Difference => String::new(),
+    };
     [
         &lookup::wgsl_row(texels, interpolation, 0, 1),
         lookup::WGSL,
@@ -78,6 +85,7 @@ pub fn shader_source(
         store,
         &deflect,
         sky,
+        &star_light,
         entry_point,
     ]
     .join("\n")
@@ -89,7 +97,7 @@ fn deflect_by(text: &str, name: &str) -> String {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use naga::valid::{Capabilities, ValidationFlags, Validator};
 
@@ -102,18 +110,18 @@ mod tests {
         for method in methods {
             for output in outputs {
                 for store in [Store::Buffer, Store::Texture] {
-                    for interpolation in reads {
-                        let source = shader_source(method, output, store, 64, interpolation);
+                    for (interpolation, stars) in reads.map(|r| [(r, false), (r, true)]).concat() {
+                        let source = shader_source(method, output, store, 64, interpolation, stars);
                         validate(&source);
                         validated += 1;
                     }
                 }
             }
         }
-        assert_eq!(validated, 36);
+        assert_eq!(validated, 72);
     }
 
-    fn validate(source: &str) {
+    pub(in crate::gpu) fn validate(source: &str) {
         let module = naga::front::wgsl::parse_str(source)
             .unwrap_or_else(|e| panic!("{}", e.emit_to_string(source)));
         Validator::new(ValidationFlags::all(), Capabilities::empty())

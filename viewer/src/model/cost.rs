@@ -153,7 +153,14 @@ mod tests {
     }
 
     fn counted(method: Method, interpolation: Interpolation) -> Count {
-        let source = shader_source(method, Output::Trace, Store::Buffer, 64, interpolation);
+        let source = shader_source(
+            method,
+            Output::Trace,
+            Store::Buffer,
+            64,
+            interpolation,
+            false,
+        );
         let module = naga::front::wgsl::parse_str(&source).unwrap();
         let name = match method {
             Method::Lut => "deflect_lut",

@@ -6,5 +6,6 @@ fn picture(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let d = view_direction(id.xy);
     let p = length(d.xy);
-    store(id.xy, pixel_light(d, p, deflect(-d.z, p)));
+    let sky = pixel_light(d, p, deflect(-d.z, p));
+    store(id.xy, sky + vec4(star_light(frame.first + id.xy), 0.0));
 }

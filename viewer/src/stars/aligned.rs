@@ -16,10 +16,9 @@ use crate::camera::Sight;
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Pieces of an arc, at the least and at the most.
-const PIECES: std::ops::RangeInclusive<f64> = 64.0..=8192.0;
-/// Pieces of an arc to a pixel.
+/// Pieces of an arc to a pixel, and at the most.
 const PIECES_A_PIXEL: f64 = 2.0;
+const MOST_PIECES: f64 = 8192.0;
 
 /// A piece of an arc.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,8 +59,9 @@ pub fn arcs(lens: &Lens, star: DVec3, disc_radius: f64, pixel: f64, mut draw: im
             continue;
         };
         let length = arc_angle(distance, disc_radius) * ring.theta.sin();
-        let pieces = (PIECES_A_PIXEL * length / pixel).clamp(*PIECES.start(), *PIECES.end());
-        for chord in chords(distance, disc_radius, pieces as u32) {
+        let pieces = (PIECES_A_PIXEL * length / pixel).min(MOST_PIECES) as u32;
+        let pieces = pieces.max(least_pieces(distance, disc_radius));
+        for chord in chords(distance, disc_radius, pieces) {
             let Some(image) = lens.image(sky_angle(chord.middle)) else {
                 continue;
             };
@@ -72,6 +72,11 @@ pub fn arcs(lens: &Lens, star: DVec3, disc_radius: f64, pixel: f64, mut draw: im
             });
         }
     }
+}
+
+/// As many chords as their sum needs to be good to 1e-4.
+fn least_pieces(distance: f64, radius: f64) -> u32 {
+    if distance > 8.0 * radius { 4 } else { 64 }
 }
 
 /// The angle about the axis over which a disc of `radius` at `distance` reaches, rad.
@@ -141,7 +146,20 @@ mod tests {
         }
         let on_axis: f64 = chords(0.0, radius, 64).map(|c| c.weight).sum();
         assert!((on_axis * radius / 2.0 - 1.0).abs() < 1e-12, "{on_axis}");
-        let far: f64 = chords(32.0 * radius, radius, 64).map(|c| c.weight).sum();
-        assert!((far * 32.0 * radius - 1.0).abs() < 2e-4, "{far}");
+        for ratio in [8.1, 32.0, 1e5] {
+            let distance = ratio * radius;
+            let few = chords(distance, radius, least_pieces(distance, radius));
+            let many = chords(distance, radius, 1024);
+            let [few, many] = [
+                few.map(|c| c.weight).sum::<f64>(),
+                many.map(|c| c.weight).sum(),
+            ];
+            assert!((few / many - 1.0).abs() < 1e-6, "{ratio}: {few} for {many}");
+            let point = few * distance - 1.0;
+            assert!(
+                point.abs() < 0.15 / (ratio * ratio) + 1e-9,
+                "{ratio}: {point}"
+            );
+        }
     }
 }

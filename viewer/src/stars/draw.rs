@@ -49,17 +49,13 @@ pub fn splats(scene: &Scene, field: &StarField) -> Result<Vec<Splat>, CoreError>
     Ok(field.stars.par_iter().flat_map_iter(per_star).collect())
 }
 
-/// The pieces of the arcs of those stars of `field` that stand on the axis.
-///
-/// # Errors
-/// As [`draw`].
-pub fn arc_splats(scene: &Scene, field: &StarField) -> Result<Vec<Splat>, CoreError> {
-    let lens = Lens::of(scene)?;
+/// The pieces of the arcs of those stars of `field` that stand on the axis, as `lens` shows them.
+pub fn arc_splats(camera: &Camera, lens: &Lens, field: &StarField) -> Vec<Splat> {
     let mut drawn = Vec::new();
     for star in &field.stars {
-        arc_images(&scene.camera, &lens, star, field.disc_radius, &mut drawn);
+        arc_images(camera, lens, star, field.disc_radius, &mut drawn);
     }
-    Ok(drawn)
+    drawn
 }
 
 fn point_images(

@@ -17,9 +17,9 @@ pub const FAINTEST: f32 = 1.0 / 4096.0;
 /// one before by about e^2π = 535.
 pub const MAX_WINDINGS: u32 = 3;
 
-/// The least distance from the axis, rad, at which stars are points only; f32 knows such a distance to a
-/// part in a thousand.
-const LEAST_POINT_DISTANCE: f64 = 1e-4;
+/// The least distance from the axis, rad, at which a star is drawn as points: there the hole magnifies a
+/// rounding of its direction to f32 to no more than a hundredth of a pixel.
+const LEAST_POINT_DISTANCE: f64 = 4e-3;
 
 /// Where images are: whoever turns the light, backwards.
 #[derive(Debug, Clone, PartialEq)]
@@ -134,8 +134,8 @@ impl Lens {
         match self {
             Lens::Bent(inverse) => Some(inverse.image(sky_angle)),
             Lens::Flat(observer) => {
-                let hidden = sky_angle < 0.5 * PI && sky_angle.sin() < observer.inverse_radius();
-                (!hidden).then_some(Image {
+                let beside = sky_angle > 0.5 * PI || sky_angle.sin() >= observer.inverse_radius();
+                (sky_angle > 0.0 && beside).then_some(Image {
                     theta: sky_angle,
                     stretch: 1.0,
                 })
