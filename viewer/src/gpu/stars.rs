@@ -1,28 +1,31 @@
-//! Stars on a GPU. A first dispatch finds the images of every star and puts their light into lists, one for
-//! each tile of the picture; the picture adds up the list of each pixel's tile. So the light is summed in
-//! f32, nothing as large as the picture is cleared or read, and where no star is nothing is done.
+//! Stars on a GPU. A first dispatch finds the images of every star and puts the light that falls on each
+//! pixel into the pixel's list; the picture adds up the lists. So the light is summed in f32, which no
+//! integer atomic and no blending into 16-bit floats would give, on any device that can compute.
 
-use super::renderer::{layout, resource, storage_buffer_binding, texture_binding, uniform_binding};
+use super::renderer::{layout, resource, storage_buffer_binding, uniform_binding};
 use super::{Frame, Gpu, GpuError, Tile};
 use crate::scene::{Method, Scene};
+use crate::stars::cells::{Candidate, Cells};
 use crate::stars::draw::{Splat, arc_splats};
-use crate::stars::images::{FAINTEST, Lens, MAX_WINDINGS, point_distance};
+use crate::stars::images::{FAINTEST, Lens, point_distance};
 use crate::stars::kernel::REACHES;
 use crate::stars::{PointStar, StarField};
 use lensbake_tables::inverse::{self, GpuInverseRow, INVERSE_TEXELS, Inverse};
-use lensbake_tables::{Row, lookup};
+use lensbake_tables::{Row, Texel, lookup};
 use std::sync::Arc;
 use wgpu::util::DeviceExt;
 use wgpu::*;
 
-/// Side of a tile, pixels.
-const TILE: u32 = 8;
-/// Places in the lists of all tiles together: 64 MiB.
-const NODES: u64 = 1 << 21;
+/// Places in the lists of all pixels together: 64 MiB.
+const NODES: u64 = 1 << 22;
 /// Bytes of such a place, as `shaders/stars.wgsl` has it.
-const NODE: u64 = 32;
+const NODE: u64 = 16;
 /// Pieces of arcs there is room for: those of some dozen stars on the axis.
 const PIECES: usize = 1 << 17;
+/// Images of stars there is room for; with the pieces, as many as one dispatch may have.
+const CANDIDATES: usize = 4_000_000;
+/// Two texels of an inverse row each: a uniform array is made of vectors of four.
+const INVERSE_PAIRS: usize = INVERSE_TEXELS as usize / 2;
 /// Invocations of a workgroup.
 const WORKGROUP: u32 = 64;
 
@@ -52,17 +55,19 @@ struct Piece {
 #[repr(C)]
 struct GpuLens {
     point_distance: f32,
-    stars: u32,
+    candidates: u32,
     pieces: u32,
     padding: u32,
     inverse: Inverse,
     padding_2: [u32; 3],
+    texels: [[f32; 4]; INVERSE_PAIRS],
 }
 
 /// Stars on a device, and the pipelines that sort them.
 #[derive(Debug)]
 pub(super) struct Stars {
     field: StarField,
+    cells: Cells,
     buffer: Buffer,
     sort_layout: BindGroupLayout,
     pub(super) list_layout: BindGroupLayout,
@@ -81,12 +86,12 @@ impl Stars {
             "stars to lists",
             &[
                 uniform_binding(false),
-                texture_binding(TextureViewDimension::D1, false),
                 uniform_binding(false),
                 read_only,
                 read_only,
                 read_write,
                 read_write,
+                read_only,
             ],
         );
         let list_layout = layout(device, "lists of stars", &[read_only, read_only]);
@@ -106,6 +111,7 @@ impl Stars {
                 &sort_layout,
                 include_str!("../shaders/lens_flat.wgsl"),
             ),
+            cells: Cells::new(field),
             field: field.clone(),
             sort_layout,
             list_layout,
@@ -120,14 +126,16 @@ pub(super) struct StarLists {
     queue: Queue,
     frame: Buffer,
     lens: Buffer,
-    inverse: Texture,
     pieces: Buffer,
+    candidates: Buffer,
     heads: Buffer,
     sort: BindGroup,
     lists: BindGroup,
     /// What is on the GPU: the method and the row that the lens was made of.
     shown: Option<(Method, Row, Lens)>,
     invocations: u32,
+    /// Whether there are more stars than there is room for.
+    full: bool,
 }
 
 impl StarLists {
@@ -142,7 +150,7 @@ impl StarLists {
                 mapped_at_creation: false,
             })
         };
-        let [across, down] = size.map(|side| u64::from(side.div_ceil(TILE)));
+        let [width, height] = size.map(u64::from);
         let storage = BufferUsages::STORAGE;
         let frame = buffer(
             "frame of the stars",
@@ -155,13 +163,13 @@ impl StarLists {
             (PIECES * size_of::<Piece>()) as u64,
             storage,
         );
+        let candidates = buffer("candidates", 4 * CANDIDATES as u64, storage);
         let heads = buffer(
             "heads",
-            4 * (1 + across * down),
+            4 * (1 + width * height),
             storage | BufferUsages::COPY_SRC,
         );
         let nodes = buffer("nodes", NODES * NODE, storage);
-        let inverse = inverse_texture(device);
         let bind_group = |layout, bindings: &[BindingResource]| {
             let entries: Vec<_> = (0..)
                 .zip(bindings)
@@ -173,17 +181,16 @@ impl StarLists {
                 entries: &entries,
             })
         };
-        let texture = inverse.create_view(&Default::default());
         let sort = bind_group(
             &stars.sort_layout,
             &[
                 frame.as_entire_binding(),
-                BindingResource::TextureView(&texture),
                 lens.as_entire_binding(),
                 stars.buffer.as_entire_binding(),
                 pieces.as_entire_binding(),
                 heads.as_entire_binding(),
                 nodes.as_entire_binding(),
+                candidates.as_entire_binding(),
             ],
         );
         let lists = bind_group(
@@ -195,13 +202,14 @@ impl StarLists {
             stars,
             frame,
             lens,
-            inverse,
             pieces,
+            candidates,
             heads,
             sort,
             lists,
             shown: None,
             invocations: 0,
+            full: false,
         }
     }
 
@@ -213,32 +221,40 @@ impl StarLists {
             let Ok(lens) = Lens::of(scene) else {
                 unreachable!("a camera is at no infinite distance");
             };
-            if let Lens::Bent(inverse) = &lens {
-                self.upload(&GpuInverseRow::new(inverse));
-            }
             self.shown = Some((scene.method, scene.row.clone(), lens));
         }
         let Some((.., lens)) = &self.shown else {
             return;
         };
         let field = &self.stars.field;
-        let pieces: Vec<Piece> = arc_splats(&scene.camera, lens, field)
+        let radius = field.disc_radius;
+        let candidates = self.stars.cells.candidates(&scene.camera, lens, radius);
+        let points: Vec<u32> = candidates
+            .points
             .iter()
-            .take(PIECES)
-            .map(piece)
+            .take(CANDIDATES)
+            .map(packed)
             .collect();
+        let on_axis = candidates.arcs.iter().map(|i| &field.stars[*i as usize]);
+        let splats = arc_splats(&scene.camera, lens, on_axis, radius);
+        let pieces: Vec<Piece> = splats.iter().take(PIECES).map(piece).collect();
+        self.full = candidates.points.len() > CANDIDATES || splats.len() > PIECES;
+        let inverse = match lens {
+            Lens::Bent(inverse) => Some(GpuInverseRow::new(inverse)),
+            Lens::Flat(_) => None,
+        };
         let block = GpuLens {
-            point_distance: point_distance(field.disc_radius) as f32,
-            stars: field.stars.len() as u32,
+            point_distance: point_distance(radius) as f32,
+            candidates: points.len() as u32,
             pieces: pieces.len() as u32,
             padding: 0,
-            inverse: match lens {
-                Lens::Bent(inverse) => GpuInverseRow::new(inverse).inverse,
-                Lens::Flat(_) => bytemuck::Zeroable::zeroed(),
-            },
+            inverse: inverse
+                .as_ref()
+                .map_or_else(bytemuck::Zeroable::zeroed, |row| row.inverse),
             padding_2: [0; 3],
+            texels: inverse.map_or_else(bytemuck::Zeroable::zeroed, |row| pairs(&row.texels)),
         };
-        self.invocations = block.stars + block.pieces;
+        self.invocations = block.candidates + block.pieces;
         let camera = &scene.camera;
         let whole = Tile {
             first: [0, 0],
@@ -249,18 +265,7 @@ impl StarLists {
         write(&self.frame, bytemuck::bytes_of(&frame));
         write(&self.lens, bytemuck::bytes_of(&block));
         write(&self.pieces, bytemuck::cast_slice(&pieces));
-    }
-
-    fn upload(&self, row: &GpuInverseRow) {
-        let bytes: &[u8] = bytemuck::cast_slice(&row.texels);
-        let layout = TexelCopyBufferLayout {
-            offset: 0,
-            bytes_per_row: Some(bytes.len() as u32),
-            rows_per_image: None,
-        };
-        let target = self.inverse.as_image_copy();
-        self.queue
-            .write_texture(target, bytes, layout, self.inverse.size());
+        write(&self.candidates, bytemuck::cast_slice(&points));
     }
 
     /// Encodes the emptying of the lists, which must come before [`StarLists::sort`].
@@ -299,7 +304,7 @@ impl StarLists {
         encoder.copy_buffer_to_buffer(&self.heads, 0, &count, 0, 4);
         gpu.queue.submit([encoder.finish()]);
         let count: Vec<u32> = gpu.read(&count)?;
-        if u64::from(count[0]) > NODES {
+        if self.full || u64::from(count[0]) > NODES {
             return Err(GpuError::TooManyStars);
         }
         Ok(())
@@ -325,7 +330,6 @@ fn sort_source(lens: &str) -> String {
     [
         &constants(),
         lookup::ARITHMETIC_WGSL,
-        &inverse::wgsl_row(0, 1),
         inverse::WGSL,
         include_str!("../shaders/frame.wgsl"),
         include_str!("../shaders/kernel.wgsl"),
@@ -338,9 +342,10 @@ fn sort_source(lens: &str) -> String {
 fn constants() -> String {
     let [core, first_halo, .., last_halo] = REACHES;
     format!(
-        "const STAR_TILE: u32 = {TILE}u;\nconst MAX_WINDINGS: u32 = {MAX_WINDINGS}u;\n\
+        "const INVERSE_PAIRS: u32 = {INVERSE_PAIRS}u;\nconst INVERSE_LAST: u32 = {}u;\n\
          const FAINTEST: f32 = {FAINTEST:e};\nconst CORE: f32 = {core:e};\n\
-         const FIRST_HALO: f32 = {first_halo:e};\nconst LAST_HALO: f32 = {last_halo:e};\n"
+         const FIRST_HALO: f32 = {first_halo:e};\nconst LAST_HALO: f32 = {last_halo:e};\n",
+        INVERSE_TEXELS - 1,
     )
 }
 
@@ -365,20 +370,10 @@ fn pipeline(device: &Device, layout: &BindGroupLayout, lens: &str) -> ComputePip
     })
 }
 
-fn inverse_texture(device: &Device) -> Texture {
-    device.create_texture(&TextureDescriptor {
-        label: Some("inverse row"),
-        size: Extent3d {
-            width: INVERSE_TEXELS,
-            height: 1,
-            depth_or_array_layers: 1,
-        },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: TextureDimension::D1,
-        format: TextureFormat::Rg32Float,
-        usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
-        view_formats: &[],
+fn pairs(texels: &[Texel]) -> [[f32; 4]; INVERSE_PAIRS] {
+    std::array::from_fn(|i| {
+        let ([a, b], [c, d]) = (texels[2 * i], texels[2 * i + 1]);
+        [a, b, c, d]
     })
 }
 
@@ -389,6 +384,12 @@ fn gpu_star(star: &PointStar) -> GpuStar {
         light: star.light.to_array(),
         padding_2: 0.0,
     }
+}
+
+/// The star in the lower 24 bits, the way of its light above.
+fn packed(candidate: &Candidate) -> u32 {
+    let way = 2 * candidate.way.windings + u32::from(candidate.way.side < 0.0);
+    candidate.star | way << 24
 }
 
 fn piece(splat: &Splat) -> Piece {
@@ -438,7 +439,15 @@ mod tests {
         }
         same_layout!(GpuStar, "Star", direction, light);
         same_layout!(Piece, "Piece", at, reach, light);
-        same_layout!(GpuLens, "Lens", point_distance, stars, pieces, inverse);
+        same_layout!(
+            GpuLens,
+            "Lens",
+            point_distance,
+            candidates,
+            pieces,
+            inverse,
+            texels
+        );
         same_layout!(
             Inverse,
             "Inverse",

@@ -1,12 +1,14 @@
-// Sorts the images of the stars into lists by tile of the picture, for star_light.wgsl to read. One
-// invocation a star, then one a piece of an arc. Twin of stars/draw.rs.
+// Puts the light of the stars into lists, one for each pixel, for star_light.wgsl to add up. One invocation
+// an image of a star, then one a piece of an arc. Twin of stars/draw.rs.
 
 struct Lens {
     // The distance from the axis up to which a star is drawn as arcs alone, rad.
     point_distance: f32,
-    stars: u32,
+    candidates: u32,
     pieces: u32,
     @align(16) inverse: Inverse,
+    // Of the inverse row: two in each.
+    @align(16) texels: array<vec4<f32>, INVERSE_PAIRS>,
 }
 
 struct Star {
@@ -24,17 +26,22 @@ struct Piece {
 
 // Of star_light.wgsl.
 struct Node {
-    at: vec2<f32>,
-    reach: f32,
-    next: u32,
     light: vec3<f32>,
+    next: u32,
 }
 
-@group(0) @binding(2) var<uniform> lens: Lens;
-@group(0) @binding(3) var<storage, read> stars: array<Star>;
-@group(0) @binding(4) var<storage, read> pieces: array<Piece>;
-@group(0) @binding(5) var<storage, read_write> heads: array<atomic<u32>>;
-@group(0) @binding(6) var<storage, read_write> nodes: array<Node>;
+@group(0) @binding(1) var<uniform> lens: Lens;
+@group(0) @binding(2) var<storage, read> stars: array<Star>;
+@group(0) @binding(3) var<storage, read> pieces: array<Piece>;
+// The images that the picture may show: the index of the star, and from bit 24 on the way of its light.
+@group(0) @binding(6) var<storage, read> candidates: array<u32>;
+@group(0) @binding(4) var<storage, read_write> heads: array<atomic<u32>>;
+@group(0) @binding(5) var<storage, read_write> nodes: array<Node>;
+
+fn inverse_texel(i: u32) -> vec2<f32> {
+    let pair = lens.texels[i / 2u];
+    return select(pair.xy, pair.zw, (i & 1u) == 1u);
+}
 
 struct StarImage {
     visible: bool,
@@ -43,24 +50,24 @@ struct StarImage {
     magnification: f32,
 }
 
-// Puts light at a point into the lists of the tiles that its kernel touches.
+// Puts light at a point into the lists of the pixels that its kernel touches.
 fn insert(at: vec2<f32>, reach: f32, light: vec3<f32>) {
-    let last = vec2<f32>(frame.size - 1u);
     let low = max(ceil(at - reach - 0.5), vec2(0.0));
-    let high = min(floor(at + reach - 0.5), last);
+    let high = min(floor(at + reach - 0.5), vec2<f32>(frame.size - 1u));
     if any(high < low) {
         return;
     }
-    let across = (frame.size.x + STAR_TILE - 1u) / STAR_TILE;
-    let first = vec2<u32>(low) / STAR_TILE;
-    let end = vec2<u32>(high) / STAR_TILE;
-    for (var y = first.y; y <= end.y; y++) {
-        for (var x = first.x; x <= end.x; x++) {
-            let index = atomicAdd(&heads[0], 1u);
-            if index < arrayLength(&nodes) {
-                let next = atomicExchange(&heads[1u + y * across + x], index + 1u);
-                nodes[index] = Node(at, reach, next, light);
+    let first = vec2<u32>(low);
+    let count = vec2<u32>(high) - first + 1u;
+    var index = atomicAdd(&heads[0], count.x * count.y);
+    for (var y = first.y; y < first.y + count.y; y++) {
+        for (var x = first.x; x < first.x + count.x; x++) {
+            let share = kernel_weight(vec2(f32(x), f32(y)) + 0.5 - at, reach);
+            if share > 0.0 && index < arrayLength(&nodes) {
+                let next = atomicExchange(&heads[1u + y * frame.size.x + x], index + 1u);
+                nodes[index] = Node(light * share, next);
             }
+            index++;
         }
     }
 }
@@ -93,39 +100,29 @@ fn show(direction: vec3<f32>, light: vec3<f32>) {
     }
 }
 
-// Draws a star's images.
-fn draw(star: Star) {
+// Draws the image of a star by one of the ways that its light takes: twice the number of further turns,
+// and one more if it is seen on the other side. Twin of Way.
+fn draw(star: Star, way: u32) {
     let d = vec3(dot(frame.sky_x, star.direction), dot(frame.sky_y, star.direction), dot(frame.sky_z, star.direction));
     let c = -d.z;
     let p = length(d.xy);
-    let beta = angle(c, p);
-    let azimuth = d.xy / max(p, 1e-30);
-    for (var windings = 0u; windings <= MAX_WINDINGS; windings++) {
-        var bright = false;
-        for (var side = 1.0; side >= -1.0; side -= 2.0) {
-            let share = point_share(c, p, windings == 0u && side > 0.0);
-            if share <= 0.0 {
-                continue;
-            }
-            let seen = star_image(side * beta - 6.2831855 * f32(windings), p);
-            let light = star.light * (share * seen.magnification);
-            if seen.visible && max(light.r, max(light.g, light.b)) >= FAINTEST {
-                bright = true;
-                show(vec3(azimuth * (side * seen.cos_sin.y), -seen.cos_sin.x), light);
-            }
-        }
-        if !bright {
-            break;
-        }
+    let side = select(1.0, -1.0, (way & 1u) == 1u);
+    let sky_angle = side * angle(c, p) - 6.2831855 * f32(way >> 1u);
+    let seen = star_image(sky_angle, p);
+    let light = star.light * (point_share(c, p, way == 0u) * seen.magnification);
+    if seen.visible && max(light.r, max(light.g, light.b)) >= FAINTEST {
+        let azimuth = d.xy * (side / max(p, 1e-30));
+        show(vec3(azimuth * seen.cos_sin.y, -seen.cos_sin.x), light);
     }
 }
 
 @compute @workgroup_size(64)
 fn sort_stars(@builtin(global_invocation_id) id: vec3<u32>) {
-    if id.x < lens.stars {
-        draw(stars[id.x]);
-    } else if id.x - lens.stars < lens.pieces {
-        let piece = pieces[id.x - lens.stars];
+    if id.x < lens.candidates {
+        let candidate = candidates[id.x];
+        draw(stars[candidate & 0xffffffu], candidate >> 24u);
+    } else if id.x - lens.candidates < lens.pieces {
+        let piece = pieces[id.x - lens.candidates];
         insert(piece.at, piece.reach, piece.light);
     }
 }

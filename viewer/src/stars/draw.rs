@@ -49,11 +49,16 @@ pub fn splats(scene: &Scene, field: &StarField) -> Result<Vec<Splat>, CoreError>
     Ok(field.stars.par_iter().flat_map_iter(per_star).collect())
 }
 
-/// The pieces of the arcs of those stars of `field` that stand on the axis, as `lens` shows them.
-pub fn arc_splats(camera: &Camera, lens: &Lens, field: &StarField) -> Vec<Splat> {
+/// The pieces of the arcs of those of `stars` that stand on the axis, as `lens` shows them.
+pub fn arc_splats<'a>(
+    camera: &Camera,
+    lens: &Lens,
+    stars: impl Iterator<Item = &'a PointStar>,
+    disc_radius: f64,
+) -> Vec<Splat> {
     let mut drawn = Vec::new();
-    for star in &field.stars {
-        arc_images(camera, lens, star, field.disc_radius, &mut drawn);
+    for star in stars {
+        arc_images(camera, lens, star, disc_radius, &mut drawn);
     }
     drawn
 }

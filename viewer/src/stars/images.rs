@@ -11,7 +11,7 @@ use std::f64::consts::{PI, TAU};
 
 /// An image whose light is less, in white pixels, is not drawn: not even in the middle of a pixel would
 /// it lift black by half a step of 8 bits.
-pub const FAINTEST: f32 = 1.0 / 4096.0;
+pub const FAINTEST: f32 = 1.0 / 1024.0;
 
 /// Further turns of the light about the hole that are looked at, on either side. Each is fainter than the
 /// one before by about e^2π = 535.

@@ -11,6 +11,7 @@
 
 pub mod aligned;
 mod catalogue;
+pub mod cells;
 mod colour;
 mod compact;
 mod csv;
