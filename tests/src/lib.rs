@@ -1,6 +1,8 @@
 //! What the cross-checks share: the real programs, and the GPU that must be there.
 
 mod damaged;
+#[cfg(target_os = "linux")]
+pub mod desktop;
 
 pub use damaged::{Damaged, damaged_tables};
 
@@ -132,6 +134,19 @@ pub fn one_row(radius: f64) -> Table {
         rows: Rows::One {
             inverse_radius: 1.0 / radius,
         },
+        ..Recipe::default()
+    };
+    bake(&recipe, || ()).unwrap()
+}
+
+/// A freshly baked atlas of every observer, so coarse that its error is seen.
+///
+/// # Panics
+/// If it does not bake.
+pub fn coarse_atlas() -> Table {
+    let recipe = Recipe {
+        rows: Rows::Chi { count: 8 },
+        texels: 8,
         ..Recipe::default()
     };
     bake(&recipe, || ()).unwrap()

@@ -7,16 +7,19 @@ use viewer::scene::Method;
 use viewer::sky::SkySource;
 use viewer::stars::StarSource;
 
-/// Draw the sky as a black hole bends it.
+/// Draw the sky as a black hole bends it: without a command, in a window.
 ///
 /// Lengths are in units of the Schwarzschild radius, angles in degrees. Exit code 0: done, 1: a budget
 /// was missed, 2: bad usage or input.
 #[derive(Debug, Parser)]
-#[command(version)]
+#[command(version, args_conflicts_with_subcommands = true)]
 pub struct Cli {
-    /// What to do.
+    /// What to do instead.
     #[command(subcommand)]
-    pub command: Command,
+    pub command: Option<Command>,
+    /// The window.
+    #[command(flatten)]
+    pub window: WindowArgs,
 }
 
 /// What to do.
@@ -141,6 +144,31 @@ pub struct SceneArgs {
     /// Size of the picture.
     #[arg(long, value_name = "WxH", default_value = "1920x1080", value_parser = size)]
     pub size: (u32, u32),
+    /// Where to draw. `auto` takes the GPU if there is one.
+    #[arg(short, long, value_enum, default_value_t = DeviceName::Auto)]
+    pub device: DeviceName,
+    /// The rest of it.
+    #[command(flatten)]
+    pub view: ViewArgs,
+}
+
+/// Options of the window.
+#[derive(Debug, Args)]
+pub struct WindowArgs {
+    /// Size of the window, in points: pixels of a screen that is not high-DPI.
+    #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = size)]
+    pub size: (u32, u32),
+    /// Fill the screen.
+    #[arg(long)]
+    pub fullscreen: bool,
+    /// What it shows at the start.
+    #[command(flatten)]
+    pub view: ViewArgs,
+}
+
+/// Where the camera is, how it looks, and at what.
+#[derive(Debug, Args)]
+pub struct ViewArgs {
     /// Field of view across the picture, between 0 and 180.
     #[arg(long, value_name = "DEG", default_value_t = View::default().fov_deg, allow_negative_numbers = true)]
     pub fov: f64,
@@ -206,9 +234,6 @@ pub struct SceneArgs {
     /// Step of direct integration on the orbit, in rad, from 0.001 to 0.5.
     #[arg(long, value_name = "RAD", default_value_t = Method::DEFAULT_STEP, allow_negative_numbers = true)]
     pub step: f64,
-    /// Where to draw. `auto` takes the GPU if there is one.
-    #[arg(short, long, value_enum, default_value_t = DeviceName::Auto)]
-    pub device: DeviceName,
 }
 
 /// Who bends the light.
@@ -233,10 +258,9 @@ pub enum DeviceName {
     Cpu,
 }
 
-impl SceneArgs {
-    /// The view asked for.
-    pub fn view(&self) -> View {
-        let (width, height) = self.size;
+impl ViewArgs {
+    /// The view asked for, in a picture of this size.
+    pub fn view(&self, (width, height): (u32, u32)) -> View {
         // Seen from the hole, the camera is opposite to where the hole is seen.
         let (orbit_deg, latitude_deg) = match self.hole {
             Some((right_ascension, declination)) => (right_ascension, -declination),

@@ -17,3 +17,4 @@ pub mod picture;
 pub mod scene;
 pub mod sky;
 pub mod stars;
+pub mod window;

@@ -15,10 +15,11 @@ fn main() -> ExitCode {
         Err(line) => return Outcome::end(PROGRAM, Err(line)),
     };
     let outcome = match cli.command {
-        Command::Render(args) => commands::render::run(&args),
-        Command::Chart(args) => commands::chart::run(&args),
-        Command::Catalogue(args) => commands::catalogue::run(&args),
-        Command::Diff(args) => commands::diff::run(&args),
+        None => commands::window::run(&cli.window),
+        Some(Command::Render(args)) => commands::render::run(&args),
+        Some(Command::Chart(args)) => commands::chart::run(&args),
+        Some(Command::Catalogue(args)) => commands::catalogue::run(&args),
+        Some(Command::Diff(args)) => commands::diff::run(&args),
     };
     Outcome::end(PROGRAM, outcome)
 }

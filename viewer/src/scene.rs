@@ -24,6 +24,15 @@ impl Method {
     /// The steps that make sense: f32 rounding drowns shorter ones, longer ones miss the hole.
     pub const STEPS: std::ops::RangeInclusive<f64> = 1e-3..=0.5;
 
+    /// The step of the direct integrator: the method's own, or the default one of the integrator that
+    /// another method is compared with, rad.
+    pub fn integrator_step(self) -> f64 {
+        match self {
+            Method::Direct { step } => step,
+            Method::Lut | Method::Flat => Self::DEFAULT_STEP,
+        }
+    }
+
     /// Checks a step of direct integration, rad.
     ///
     /// # Errors

@@ -18,10 +18,10 @@ use viewer::sky::{self, Sky};
 pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
     least::check_budget(args.budget_px)?;
     Picture::check_path(&args.output)?;
-    let step = args.scene.step;
+    let step = args.scene.view.step;
     let direct = scene(&args.scene, Method::Direct { step })?;
     let mut lut = direct.by(Method::Lut);
-    let sky = sky::load(&args.scene.sky)?;
+    let sky = sky::load(&args.scene.view.sky)?;
     let gpu = gpu(args.scene.device)?;
     let reference = with_progress(&lut, |progress| Reference::new(&lut, || progress.step()));
     if args.explain || args.least {
@@ -65,8 +65,8 @@ pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
         "{device}: {} x {} pixels, {} degrees across, r = {}, direct steps of {step} rad\n",
         lut.picture.width(),
         lut.picture.height(),
-        args.scene.fov,
-        args.scene.radius,
+        args.scene.view.fov,
+        args.scene.view.radius,
     );
     let mut missed = false;
     for (index, (what, errors)) in rows.iter().enumerate() {

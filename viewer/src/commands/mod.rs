@@ -5,8 +5,9 @@ pub mod chart;
 pub mod diff;
 mod least;
 pub mod render;
+pub mod window;
 
-use crate::cli::{DeviceName, SceneArgs, StarArgs};
+use crate::cli::{DeviceName, SceneArgs, StarArgs, ViewArgs};
 use lensbake_core::CoreError;
 use lensbake_tables::{ContainerError, Table, container, default_atlas};
 use std::borrow::Cow;
@@ -20,6 +21,7 @@ use viewer::picture::PictureError;
 use viewer::scene::{Method, Scene, SceneError};
 use viewer::sky::{SkyError, SkySource};
 use viewer::stars::{self, MAX_DISC_RADIUS, StarField, StarSource, StarsError};
+use viewer::window::WindowError;
 
 /// Why a command could not do its work.
 #[derive(Debug, Error)]
@@ -59,6 +61,9 @@ pub enum CommandError {
     /// The chart.
     #[error(transparent)]
     Chart(#[from] ChartError),
+    /// The window.
+    #[error(transparent)]
+    Window(#[from] WindowError),
     /// A folder to write to.
     #[error("{}: {_1}", _0.display())]
     Folder(PathBuf, io::Error),
@@ -72,14 +77,8 @@ pub enum CommandError {
 
 /// The scene that the arguments describe.
 fn scene(args: &SceneArgs, method: Method) -> Result<Scene, CommandError> {
-    let camera = Camera::new(&args.view())?;
-    let (table, name): (Cow<Table>, _) = match &args.table {
-        Some(path) => (
-            Cow::Owned(container::read(path)?),
-            path.display().to_string(),
-        ),
-        None => (Cow::Borrowed(default_atlas()), "the built-in atlas".into()),
-    };
+    let camera = Camera::new(&args.view.view(args.size))?;
+    let (table, name) = table(&args.view)?;
     Scene::new(camera, &table, method).map_err(|problem| match problem {
         SceneError::Step { .. } => CommandError::Scene {
             name: "--step".into(),
@@ -103,6 +102,17 @@ fn star_field(args: &StarArgs, sky: &SkySource) -> Result<Option<StarField>, Com
         field.disc_radius = radius;
     }
     Ok(Some(field))
+}
+
+/// The table that the arguments name, and what it is called.
+fn table(args: &ViewArgs) -> Result<(Cow<'static, Table>, String), CommandError> {
+    Ok(match &args.table {
+        Some(path) => (
+            Cow::Owned(container::read(path)?),
+            path.display().to_string(),
+        ),
+        None => (Cow::Borrowed(default_atlas()), "the built-in atlas".into()),
+    })
 }
 
 /// The GPU to draw on, or `None` for the CPU.

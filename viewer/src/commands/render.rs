@@ -17,21 +17,21 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     let method = match args.method {
         MethodName::Lut => Method::Lut,
         MethodName::Direct => Method::Direct {
-            step: args.scene.step,
+            step: args.scene.view.step,
         },
         MethodName::Flat => Method::Flat,
     };
     let budget_px = args.budget_px.unwrap_or(DEFAULT_BUDGET_PX);
     least::check_budget(budget_px)?;
     let mut scene = scene(&args.scene, method)?;
-    let sky = sky::load(&args.scene.sky)?;
-    let stars = star_field(&args.stars, &args.scene.sky)?;
+    let sky = sky::load(&args.scene.view.sky)?;
+    let stars = star_field(&args.stars, &args.scene.view.sky)?;
     let gpu = gpu(args.scene.device)?;
     let mut outcome = Outcome::Done;
     if args.explain || args.budget_px.is_some() {
         let choice = least::choice(&scene, budget_px, gpu.as_ref())?;
         if args.explain {
-            least::print(&choice, &scene, args.scene.step)?;
+            least::print(&choice, &scene, args.scene.view.step)?;
         }
         if args.budget_px.is_some() {
             if choice.chosen.is_none() {

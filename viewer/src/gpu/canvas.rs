@@ -30,7 +30,6 @@ pub struct Canvas {
     device: Device,
     queue: Queue,
     layout: BindGroupLayout,
-    sky: BindGroup,
     target: Target,
     row: Texture,
     shown: Option<Row>,
@@ -88,7 +87,6 @@ impl Canvas {
         Canvas {
             queue: renderer.gpu.queue.clone(),
             layout: layout.clone(),
-            sky: renderer.sky.clone(),
             target,
             row,
             shown: None,
@@ -137,8 +135,9 @@ impl Canvas {
         self.tiles.clear();
         self.tiles.extend(tiles);
         self.grow();
+        let step = scene.method.integrator_step();
         for (i, &tile) in self.tiles.iter().enumerate() {
-            let frame = Frame::new(scene, tile, gain);
+            let frame = Frame::new(&scene.camera, tile, step, gain);
             let offset = i as u64 * self.frame_stride;
             self.queue
                 .write_buffer(&self.frames, offset, bytemuck::bytes_of(&frame));
@@ -151,11 +150,12 @@ impl Canvas {
         }
     }
 
-    /// Encodes the drawing of tile `index` by `pipeline`; `timestamps` notes when it begins and ends. With
-    /// the first tile go the lists of the stars that all of them read.
-    pub fn encode(
+    /// Encodes the drawing of tile `index` by `pipeline` before `sky`; `timestamps` notes when it begins
+    /// and ends. With the first tile go the lists of the stars that all of them read.
+    pub(super) fn encode(
         &self,
         encoder: &mut CommandEncoder,
+        sky: &BindGroup,
         pipeline: &ComputePipeline,
         index: usize,
         timestamps: Option<ComputePassTimestampWrites>,
@@ -174,7 +174,7 @@ impl Canvas {
         }
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &self.bind_group, &[offset as u32]);
-        pass.set_bind_group(1, &self.sky, &[]);
+        pass.set_bind_group(1, sky, &[]);
         if let Some(stars) = &self.stars {
             pass.set_bind_group(2, stars.lists(), &[]);
         }

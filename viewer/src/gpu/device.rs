@@ -10,7 +10,7 @@ pub enum GpuError {
     /// There is none.
     #[error(
         "no GPU adapter found: install a Vulkan driver (on Debian and Ubuntu `mesa-vulkan-drivers` \
-         brings one in software), or use --device cpu"
+         brings one in software), or draw without one: viewer render --device cpu"
     )]
     NoAdapter,
     /// There is one, but it does not open.
@@ -27,6 +27,17 @@ pub enum GpuError {
          stars, or use --device cpu"
     )]
     TooManyStars,
+    /// A picture with more pixels than there can be lists of stars.
+    #[error(
+        "the GPU draws stars in pictures of at most {most} pixels: use --device cpu for a larger one"
+    )]
+    TooLargeForStars {
+        /// The most pixels.
+        most: u64,
+    },
+    /// There is one, but it cannot draw to the window.
+    #[error("the window cannot be drawn to: {0}")]
+    NoSurface(String),
     /// It failed while at work.
     #[error("the GPU {adapter} failed: {reason}")]
     Failed {
@@ -44,6 +55,8 @@ pub struct Gpu {
     pub device: Device,
     /// Its queue.
     pub queue: Queue,
+    adapter: Adapter,
+    instance: Instance,
     info: AdapterInfo,
     failure: Arc<Mutex<Option<String>>>,
 }
@@ -54,13 +67,31 @@ impl Gpu {
     /// # Errors
     /// [`GpuError::NoAdapter`] without one, [`GpuError::NoDevice`] if it does not open.
     pub fn open() -> Result<Self, GpuError> {
-        pollster::block_on(Self::open_async())
+        pollster::block_on(Self::on_adapter(new_instance(), None))
     }
 
-    async fn open_async() -> Result<Self, GpuError> {
-        let instance = Instance::new(InstanceDescriptor::new_without_display_handle_from_env());
+    /// Opens the fastest adapter that can draw to `window`, with a surface to draw to.
+    ///
+    /// # Errors
+    /// As [`Gpu::open`], and [`GpuError::NoSurface`].
+    pub fn open_for(
+        window: impl Into<SurfaceTarget<'static>>,
+    ) -> Result<(Self, Surface<'static>), GpuError> {
+        let instance = new_instance();
+        let surface = instance
+            .create_surface(window)
+            .map_err(|e| GpuError::NoSurface(one_line(&e.to_string())))?;
+        let gpu = pollster::block_on(Self::on_adapter(instance, Some(&surface)))?;
+        Ok((gpu, surface))
+    }
+
+    async fn on_adapter(
+        instance: Instance,
+        surface: Option<&Surface<'_>>,
+    ) -> Result<Self, GpuError> {
         let options = RequestAdapterOptions {
             power_preference: PowerPreference::HighPerformance,
+            compatible_surface: surface,
             ..Default::default()
         };
         let adapter = instance
@@ -80,18 +111,47 @@ impl Gpu {
                 reason: e.to_string(),
             })?;
         let failure = Arc::new(Mutex::new(None));
-        let seen = failure.clone();
-        device.on_uncaptured_error(Arc::new(move |error: Error| {
-            if let Ok(mut first) = seen.lock() {
-                first.get_or_insert_with(|| one_line(&error.to_string()));
+        let note = |failure: &Arc<Mutex<Option<String>>>| {
+            let failure = failure.clone();
+            move |text: &str| {
+                if let Ok(mut first) = failure.lock() {
+                    first.get_or_insert_with(|| one_line(text));
+                }
             }
-        }));
+        };
+        let on_error = note(&failure);
+        device.on_uncaptured_error(Arc::new(move |error: Error| on_error(&error.to_string())));
+        let on_loss = note(&failure);
+        device.set_device_lost_callback(move |reason, text| match reason {
+            DeviceLostReason::Destroyed => (),
+            _ => on_loss(&format!("the device was lost: {text}")),
+        });
         Ok(Gpu {
             device,
             queue,
+            adapter,
+            instance,
             info,
             failure,
         })
+    }
+
+    /// A new surface to draw to `window`, in place of one that was lost.
+    ///
+    /// # Errors
+    /// [`GpuError::NoSurface`] if the window has none any more.
+    pub fn surface(
+        &self,
+        window: impl Into<SurfaceTarget<'static>>,
+    ) -> Result<Surface<'static>, GpuError> {
+        self.instance
+            .create_surface(window)
+            .map_err(|e| GpuError::NoSurface(one_line(&e.to_string())))
+    }
+
+    /// The adapter that it was opened on.
+    pub fn adapter(&self) -> &Adapter {
+        &self.adapter
     }
 
     /// The adapter's name and backend.
@@ -115,10 +175,23 @@ impl Gpu {
     /// [`GpuError::Failed`] with the first error since the device was opened.
     pub fn wait(&self) -> Result<(), GpuError> {
         let polled = self.device.poll(PollType::wait_indefinitely());
-        if let Some(reason) = self.failure.lock().ok().and_then(|first| first.clone()) {
-            return Err(self.failed(reason));
-        }
+        self.check()?;
         polled.map(|_| ()).map_err(|e| self.failed(e))
+    }
+
+    /// Looks for what has come back, without waiting.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`] with the first error since the device was opened.
+    pub fn poll(&self) -> Result<(), GpuError> {
+        let polled = self.device.poll(PollType::Poll);
+        self.check()?;
+        polled.map(|_| ()).map_err(|e| self.failed(e))
+    }
+
+    fn check(&self) -> Result<(), GpuError> {
+        let failure = self.failure.lock().ok().and_then(|first| first.clone());
+        failure.map_or(Ok(()), |reason| Err(self.failed(reason)))
     }
 
     /// The contents of `buffer`, which must have [`BufferUsages::MAP_READ`].
@@ -144,6 +217,10 @@ impl Gpu {
             reason: one_line(&reason.to_string()),
         }
     }
+}
+
+fn new_instance() -> Instance {
+    Instance::new(InstanceDescriptor::new_without_display_handle_from_env())
 }
 
 fn one_line(text: &str) -> String {

@@ -1,6 +1,6 @@
 //! The uniform block of a frame. A test holds its layout to what naga makes of `frame.wgsl`.
 
-use crate::scene::{Method, Scene};
+use crate::camera::Camera;
 use glam::DVec3;
 use lensbake_tables::lookup::Edge;
 
@@ -36,11 +36,10 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// One tile of a scene's picture. `gain` amplifies a difference; nothing else reads it. A scene
-    /// whose own method takes no steps has a direct integrator beside it in the default step.
-    pub fn new(scene: &Scene, tile: Tile, gain: f32) -> Self {
+    /// One tile of a camera's picture. `step` is the direct integrator's, rad; `gain` amplifies a
+    /// difference. Nothing else reads these two.
+    pub fn new(camera: &Camera, tile: Tile, step: f64, gain: f32) -> Self {
         let vector = |v: DVec3| v.as_vec3().to_array();
-        let camera = &scene.camera;
         let edge = Edge::of(&camera.observer);
         Frame {
             right: vector(camera.right),
@@ -48,10 +47,7 @@ impl Frame {
             down: vector(camera.down),
             lapse: camera.observer.lapse() as f32,
             forward: vector(camera.forward),
-            step: match scene.method {
-                Method::Direct { step } => step as f32,
-                Method::Lut | Method::Flat => Method::DEFAULT_STEP as f32,
-            },
+            step: step as f32,
             sky_x: vector(camera.sky_from_hole.x_axis),
             gain,
             sky_y: vector(camera.sky_from_hole.y_axis),
@@ -70,6 +66,7 @@ impl Frame {
 mod tests {
     use super::*;
     use crate::gpu::shader::{Output, Store, shader_source};
+    use crate::scene::Method;
     use lensbake_tables::Interpolation;
     use std::mem::offset_of;
 

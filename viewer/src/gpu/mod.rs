@@ -3,16 +3,23 @@
 mod canvas;
 mod device;
 mod frame;
+mod live;
 mod prepared;
+mod present;
 mod renderer;
 mod shader;
+mod stamps;
 mod stars;
+mod stopwatch;
 mod timer;
 
 pub use canvas::{Canvas, Target};
 pub use device::{Gpu, GpuError};
 pub use frame::{Frame, Tile};
+pub use live::{Live, Show};
 pub use prepared::{Prepared, band_pixels};
-pub use renderer::{Renderer, Trace};
+pub use present::{Edge, Presenter, Showing};
+pub use renderer::{Renderer, SkyOnDevice, Trace};
 pub use shader::{Output, Store, shader_source};
-pub use timer::{FrameTime, Timer};
+pub use stopwatch::{Lap, Stopwatch, Timed};
+pub use timer::{FrameTime, Passes, Timer};

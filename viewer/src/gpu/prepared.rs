@@ -2,7 +2,7 @@
 //! busy for seconds.
 
 use super::renderer::Renderer;
-use super::{Canvas, Output, Store, Tile};
+use super::{Canvas, Output, Passes, Store, Tile};
 use crate::scene::{Method, Scene};
 use std::f64::consts::PI;
 use wgpu::*;
@@ -16,6 +16,7 @@ const BAND_STEPS: f64 = 1e8;
 #[derive(Debug)]
 pub struct Prepared {
     pipeline: ComputePipeline,
+    sky: BindGroup,
     canvas: Canvas,
 }
 
@@ -37,6 +38,7 @@ impl Prepared {
         canvas.show(scene, whole.bands(most_pixels), 1.0);
         Prepared {
             pipeline: renderer.pipeline(scene.method, output, Store::Buffer, &scene.row),
+            sky: renderer.sky.clone(),
             canvas,
         }
     }
@@ -50,16 +52,21 @@ impl Prepared {
     pub fn canvas(&self) -> &Canvas {
         &self.canvas
     }
+}
 
-    /// Encodes the drawing of one band; `timestamps` notes when it begins and ends.
-    pub fn encode(
+impl Passes for Prepared {
+    fn count(&self) -> usize {
+        self.bands().len()
+    }
+
+    fn encode(
         &self,
         encoder: &mut CommandEncoder,
-        band: usize,
+        pass: usize,
         timestamps: Option<ComputePassTimestampWrites>,
     ) {
         self.canvas
-            .encode(encoder, &self.pipeline, band, timestamps);
+            .encode(encoder, &self.sky, &self.pipeline, pass, timestamps);
     }
 }
 

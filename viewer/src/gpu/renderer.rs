@@ -2,7 +2,7 @@
 
 use super::canvas::storage_texture_binding;
 use super::stars::Stars;
-use super::{Gpu, GpuError, Output, Prepared, Store, Target, shader_source};
+use super::{Gpu, GpuError, Output, Passes, Prepared, Store, Target, shader_source};
 use crate::picture::Picture;
 use crate::scene::{Method, Scene};
 use crate::sky::Sky;
@@ -17,6 +17,10 @@ use wgpu::*;
 /// Where the light of each pixel comes from: unit directions in the hole frame, row-major
 /// `[height][width]`.
 pub type Trace = Vec<Fate<DVec3>>;
+
+/// A sky on the device; a clone is the same sky.
+#[derive(Debug, Clone)]
+pub struct SkyOnDevice(BindGroup);
 
 /// A renderer on one device, with one sky.
 #[derive(Debug)]
@@ -67,6 +71,26 @@ impl Renderer {
             stars: Some(Arc::new(Stars::new(&self.gpu, field))),
             ..self
         }
+    }
+
+    /// Puts another sky on the device.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`] if it does not fit.
+    pub fn upload(&self, sky: &Sky) -> Result<SkyOnDevice, GpuError> {
+        let sky = sky_bind_group(&self.gpu, &self.sky_layout, sky);
+        self.gpu.wait()?;
+        Ok(SkyOnDevice(sky))
+    }
+
+    /// The sky that it draws before.
+    pub fn sky(&self) -> SkyOnDevice {
+        SkyOnDevice(self.sky.clone())
+    }
+
+    /// Draws before this sky from now on.
+    pub fn set_sky(&mut self, sky: &SkyOnDevice) {
+        self.sky = sky.0.clone();
     }
 
     /// The device it draws on.
@@ -130,6 +154,10 @@ impl Renderer {
     /// # Errors
     /// [`GpuError::Failed`] if the device does, [`GpuError::TooManyStars`] if its lists are too short.
     pub fn picture(&self, scene: &Scene, band_done: impl Fn(u32)) -> Result<Picture, GpuError> {
+        let most = self.gpu.device.limits().max_storage_buffer_binding_size / 4 - 1;
+        if self.stars.is_some() && scene.camera.pixels() as u64 > most {
+            return Err(GpuError::TooLargeForStars { most });
+        }
         let pixels = self.run(scene, Output::Picture, band_done)?;
         let light = pixels.into_iter().map(|[r, g, b, _]| [r, g, b]).collect();
         Ok(Picture::new(scene.camera.width, scene.camera.height, light))

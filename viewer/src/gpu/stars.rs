@@ -260,7 +260,7 @@ impl StarLists {
             first: [0, 0],
             count: [camera.width, camera.height],
         };
-        let frame = Frame::new(scene, whole, 1.0);
+        let frame = Frame::new(camera, whole, scene.method.integrator_step(), 1.0);
         let write = |buffer, bytes| self.queue.write_buffer(buffer, 0, bytes);
         write(&self.frame, bytemuck::bytes_of(&frame));
         write(&self.lens, bytemuck::bytes_of(&block));

@@ -1,9 +1,25 @@
 //! How long a GPU takes to draw what has been prepared: the dispatches alone, nothing made and nothing
 //! read back.
 
-use super::{Gpu, GpuError, Prepared};
+use super::stamps::{Stamps, elapsed};
+use super::{Gpu, GpuError};
 use std::time::{Duration, Instant};
 use wgpu::*;
+
+/// A frame that only needs to be submitted: pass by pass, since a driver resets a GPU that is busy for
+/// seconds.
+pub trait Passes {
+    /// How many passes.
+    fn count(&self) -> usize;
+
+    /// Encodes one of them; `timestamps` notes when it begins and ends.
+    fn encode(
+        &self,
+        encoder: &mut CommandEncoder,
+        pass: usize,
+        timestamps: Option<ComputePassTimestampWrites>,
+    );
+}
 
 /// The time of one frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -21,16 +37,6 @@ pub struct Timer<'a> {
     stamps: Option<Stamps>,
 }
 
-/// The beginning and the end of a pass, and the way they come back.
-#[derive(Debug)]
-struct Stamps {
-    queries: QuerySet,
-    resolved: Buffer,
-    read_back: Buffer,
-}
-
-const STAMPS: u32 = 2;
-
 impl<'a> Timer<'a> {
     /// A timer for `gpu`.
     pub fn new(gpu: &'a Gpu) -> Self {
@@ -40,84 +46,46 @@ impl<'a> Timer<'a> {
         }
     }
 
-    /// Draws a prepared frame and times it; its bands, submitted one by one, are added up.
+    /// Draws a frame and times it; its passes, submitted one by one, are added up.
     ///
     /// # Errors
     /// [`GpuError::Failed`] if the device does.
-    pub fn time(&self, frame: &Prepared) -> Result<FrameTime, GpuError> {
+    pub fn time(&self, frame: &impl Passes) -> Result<FrameTime, GpuError> {
         let mut sum = FrameTime {
             gpu: self.stamps.as_ref().map(|_| Duration::ZERO),
             wall: Duration::ZERO,
         };
-        for band in 0..frame.bands().len() {
-            let time = self.time_band(frame, band)?;
+        for pass in 0..frame.count() {
+            let time = self.time_pass(frame, pass)?;
             sum.wall += time.wall;
             sum.gpu = sum.gpu.zip(time.gpu).map(|(sum, time)| sum + time);
         }
         Ok(sum)
     }
 
-    fn time_band(&self, frame: &Prepared, band: usize) -> Result<FrameTime, GpuError> {
+    fn time_pass(&self, frame: &impl Passes, pass: usize) -> Result<FrameTime, GpuError> {
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         frame.encode(
             &mut encoder,
-            band,
-            self.stamps.as_ref().map(Stamps::around_pass),
+            pass,
+            self.stamps.as_ref().map(|s| s.around_pass(true, true)),
         );
         if let Some(stamps) = &self.stamps {
-            stamps.resolve(&mut encoder);
+            stamps.resolve(&mut encoder, 2);
         }
         let commands = encoder.finish();
         let started = Instant::now();
         self.gpu.queue.submit([commands]);
         self.gpu.wait()?;
         let wall = started.elapsed();
-        let stamps = self.stamps.as_ref().map(|s| s.elapsed(self.gpu));
+        let ticks = self.stamps.as_ref();
+        let ticks = ticks.map(|s| self.gpu.read::<u64>(s.read_back()));
+        let period_ns = self.gpu.queue.get_timestamp_period();
         Ok(FrameTime {
-            gpu: stamps.transpose()?,
+            gpu: ticks
+                .transpose()?
+                .map(|ticks| elapsed(&ticks, 1, period_ns)),
             wall,
         })
-    }
-}
-
-impl Stamps {
-    fn new(device: &Device) -> Self {
-        let buffer = |usage| {
-            device.create_buffer(&BufferDescriptor {
-                label: Some("timestamps"),
-                size: u64::from(STAMPS) * u64::from(QUERY_SIZE),
-                usage,
-                mapped_at_creation: false,
-            })
-        };
-        Stamps {
-            queries: device.create_query_set(&QuerySetDescriptor {
-                label: Some("timestamps"),
-                ty: QueryType::Timestamp,
-                count: STAMPS,
-            }),
-            resolved: buffer(BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC),
-            read_back: buffer(BufferUsages::COPY_DST | BufferUsages::MAP_READ),
-        }
-    }
-
-    fn around_pass(&self) -> ComputePassTimestampWrites<'_> {
-        ComputePassTimestampWrites {
-            query_set: &self.queries,
-            beginning_of_pass_write_index: Some(0),
-            end_of_pass_write_index: Some(1),
-        }
-    }
-
-    fn resolve(&self, encoder: &mut CommandEncoder) {
-        encoder.resolve_query_set(&self.queries, 0..STAMPS, &self.resolved, 0);
-        encoder.copy_buffer_to_buffer(&self.resolved, 0, &self.read_back, 0, self.read_back.size());
-    }
-
-    fn elapsed(&self, gpu: &Gpu) -> Result<Duration, GpuError> {
-        let ticks: Vec<u64> = gpu.read(&self.read_back)?;
-        let elapsed = ticks[1].saturating_sub(ticks[0]);
-        let ns = elapsed as f64 * f64::from(gpu.queue.get_timestamp_period());
-        Ok(Duration::from_secs_f64(1e-9 * ns))
     }
 }

@@ -46,6 +46,32 @@ pub enum SkySource {
     Faces([PathBuf; 6]),
 }
 
+impl SkySource {
+    /// Whether it comes with the program.
+    pub fn is_built_in(&self) -> bool {
+        matches!(
+            self,
+            SkySource::Nebula | SkySource::Starmap | SkySource::Grid | SkySource::Stars
+        )
+    }
+
+    /// Its name: a built-in one's, or that of the (first) file.
+    pub fn name(&self) -> String {
+        let file = |path: &PathBuf| {
+            let name = path.file_name().unwrap_or(path.as_os_str());
+            name.to_string_lossy().into_owned()
+        };
+        match self {
+            SkySource::Nebula => "nebula".into(),
+            SkySource::Starmap => "starmap".into(),
+            SkySource::Grid => "grid".into(),
+            SkySource::Stars => "stars".into(),
+            SkySource::Panorama(path) => file(path),
+            SkySource::Faces(paths) => file(&paths[0]),
+        }
+    }
+}
+
 /// Returns the sky of `source`.
 ///
 /// Pictures may be PNG, JPEG, Radiance HDR or OpenEXR, recognised by content and not by name.

@@ -1,0 +1,201 @@
+//! Frames one after the other, for a window or a benchmark: everything is made beforehand, and a frame
+//! writes what has changed and dispatches what the picture needs.
+
+use super::{Canvas, Output, Passes, Renderer, Store, Target, Tile, band_pixels};
+use crate::scene::{Method, Scene};
+use lensbake_tables::Row;
+use wgpu::*;
+
+/// What a frame shows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Show {
+    /// The picture by the scene's method.
+    Picture,
+    /// The table's picture left of a column of pixels, direct integration's from there on.
+    Split {
+        /// The column.
+        divider: u32,
+    },
+    /// How far the table's picture and direct integration's are apart.
+    Difference {
+        /// What it is multiplied by.
+        gain: f32,
+    },
+}
+
+/// What draws a tile.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Brush {
+    Lut,
+    Direct,
+    Flat,
+    Difference,
+}
+
+/// A texture that is drawn again and again.
+#[derive(Debug)]
+pub struct Live {
+    renderer: Renderer,
+    pipelines: Pipelines,
+    canvas: Canvas,
+    row: Row,
+    room: [u32; 2],
+    brushes: Vec<Brush>,
+}
+
+#[derive(Debug)]
+struct Pipelines {
+    lut: ComputePipeline,
+    direct: ComputePipeline,
+    flat: ComputePipeline,
+    difference: ComputePipeline,
+}
+
+impl Live {
+    /// Frames of at most `room` pixels across and down by `renderer`, with rows of the shape of `row`.
+    pub fn new(renderer: Renderer, row: &Row, room: [u32; 2]) -> Self {
+        Live {
+            pipelines: Pipelines::new(&renderer, row),
+            canvas: Canvas::on_texture(&renderer, row, room),
+            row: row.clone(),
+            room,
+            brushes: Vec::new(),
+            renderer,
+        }
+    }
+
+    /// What draws: to put another sky on the device.
+    pub fn renderer(&mut self) -> &mut Renderer {
+        &mut self.renderer
+    }
+
+    /// Columns and rows of pixels that a frame may have.
+    pub fn room(&self) -> [u32; 2] {
+        self.room
+    }
+
+    /// Makes room for frames of other sizes.
+    pub fn set_room(&mut self, room: [u32; 2]) {
+        if room != self.room {
+            self.room = room;
+            self.canvas = Canvas::on_texture(&self.renderer, &self.row, room);
+        }
+    }
+
+    /// Makes ready for rows of the shape of `row`.
+    pub fn set_row_shape(&mut self, row: &Row) {
+        self.pipelines = Pipelines::new(&self.renderer, row);
+        self.canvas = Canvas::on_texture(&self.renderer, row, self.room);
+        self.row = row.clone();
+    }
+
+    /// The texture that the frames are drawn to, of [`Live::room`] pixels; a smaller frame lies in its
+    /// upper left.
+    pub fn texture(&self) -> &TextureView {
+        match self.canvas.target() {
+            Target::Texture(view) => view,
+            Target::Buffer(_) => unreachable!("made on a texture"),
+        }
+    }
+
+    /// Sets what the next frame draws: on the CPU this is all that a frame takes besides submitting it.
+    /// The two comparisons take the integrator's step from the scene's method.
+    ///
+    /// # Panics
+    /// If the scene is larger than the room, or its row has another shape.
+    pub fn show(&mut self, scene: &Scene, show: Show) {
+        let (width, height) = (scene.camera.width, scene.camera.height);
+        let [most_wide, most_high] = self.room;
+        assert!(width <= most_wide && height <= most_high, "no room");
+        let whole = columns(0, width, height);
+        let none = columns(0, 0, height);
+        let (parts, gain) = match show {
+            Show::Picture => ([(Brush::of(scene.method), whole), (Brush::Flat, none)], 1.0),
+            Show::Difference { gain } => ([(Brush::Difference, whole), (Brush::Flat, none)], gain),
+            Show::Split { divider } => {
+                let divider = divider.min(width);
+                let right = columns(divider, width - divider, height);
+                let left = columns(0, divider, height);
+                ([(Brush::Lut, left), (Brush::Direct, right)], 1.0)
+            }
+        };
+        self.brushes.clear();
+        let tiles = parts
+            .into_iter()
+            .filter(|(_, part)| part.count[0] > 0)
+            .flat_map(|(brush, part)| {
+                part.bands(brush.band_pixels(scene))
+                    .map(move |t| (brush, t))
+            })
+            .map(|(brush, tile)| {
+                self.brushes.push(brush);
+                tile
+            });
+        self.canvas.show(scene, tiles, gain);
+    }
+}
+
+impl Passes for Live {
+    fn count(&self) -> usize {
+        self.brushes.len()
+    }
+
+    fn encode(
+        &self,
+        encoder: &mut CommandEncoder,
+        pass: usize,
+        timestamps: Option<ComputePassTimestampWrites>,
+    ) {
+        let pipeline = match self.brushes[pass] {
+            Brush::Lut => &self.pipelines.lut,
+            Brush::Direct => &self.pipelines.direct,
+            Brush::Flat => &self.pipelines.flat,
+            Brush::Difference => &self.pipelines.difference,
+        };
+        self.canvas
+            .encode(encoder, &self.renderer.sky, pipeline, pass, timestamps);
+    }
+}
+
+impl Pipelines {
+    fn new(renderer: &Renderer, row: &Row) -> Self {
+        let pipeline = |method, output| renderer.pipeline(method, output, Store::Texture, row);
+        let direct = Method::Direct {
+            step: Method::DEFAULT_STEP,
+        };
+        Pipelines {
+            lut: pipeline(Method::Lut, Output::Picture),
+            direct: pipeline(direct, Output::Picture),
+            flat: pipeline(Method::Flat, Output::Picture),
+            difference: pipeline(direct, Output::Difference),
+        }
+    }
+}
+
+impl Brush {
+    fn of(method: Method) -> Self {
+        match method {
+            Method::Lut => Brush::Lut,
+            Method::Direct { .. } => Brush::Direct,
+            Method::Flat => Brush::Flat,
+        }
+    }
+
+    /// Pixels that one dispatch of it may draw.
+    fn band_pixels(self, scene: &Scene) -> u32 {
+        match self {
+            Brush::Lut => band_pixels(Method::Lut),
+            Brush::Flat => band_pixels(Method::Flat),
+            Brush::Direct | Brush::Difference => band_pixels(Method::Direct {
+                step: scene.method.integrator_step(),
+            }),
+        }
+    }
+}
+
+fn columns(first: u32, count: u32, height: u32) -> Tile {
+    Tile {
+        first: [first, 0],
+        count: [count, height],
+    }
+}

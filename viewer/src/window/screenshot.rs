@@ -1,0 +1,78 @@
+//! The window's picture, without the panel, to a file.
+
+use super::stage::begin;
+use crate::gpu::{Gpu, GpuError, Presenter};
+use crate::picture::{PictureError, write_png};
+use std::path::PathBuf;
+use wgpu::*;
+
+/// Draws what the presenter shows to a texture of `size` pixels and brings it back,
+/// `[height][width][3]` in 8-bit sRGB.
+pub(super) fn take(
+    gpu: &Gpu,
+    presenter: &Presenter,
+    format: TextureFormat,
+    [width, height]: [u32; 2],
+) -> Result<Vec<u8>, GpuError> {
+    let texture = gpu.device.create_texture(&TextureDescriptor {
+        label: Some("screenshot"),
+        size: Extent3d {
+            width,
+            height,
+            depth_or_array_layers: 1,
+        },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: TextureDimension::D2,
+        format,
+        usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::COPY_SRC,
+        view_formats: &[],
+    });
+    let stride = (4 * width).next_multiple_of(COPY_BYTES_PER_ROW_ALIGNMENT);
+    let buffer = gpu.device.create_buffer(&BufferDescriptor {
+        label: Some("screenshot"),
+        size: u64::from(stride) * u64::from(height),
+        usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let view = texture.create_view(&Default::default());
+    let mut encoder = gpu.device.create_command_encoder(&Default::default());
+    presenter.draw(&mut begin(&mut encoder, &view, None));
+    let layout = TexelCopyBufferLayout {
+        offset: 0,
+        bytes_per_row: Some(stride),
+        rows_per_image: None,
+    };
+    let to = TexelCopyBufferInfo {
+        buffer: &buffer,
+        layout,
+    };
+    encoder.copy_texture_to_buffer(texture.as_image_copy(), to, texture.size());
+    gpu.queue.submit([encoder.finish()]);
+    let bytes: Vec<u8> = gpu.read(&buffer)?;
+    let blue_first = matches!(
+        format,
+        TextureFormat::Bgra8Unorm | TextureFormat::Bgra8UnormSrgb
+    );
+    let rgb = |pixel: &[u8]| {
+        if blue_first {
+            [pixel[2], pixel[1], pixel[0]]
+        } else {
+            [pixel[0], pixel[1], pixel[2]]
+        }
+    };
+    let rows = bytes.chunks_exact(stride as usize);
+    Ok(rows
+        .flat_map(|row| row[..4 * width as usize].chunks_exact(4).flat_map(rgb))
+        .collect())
+}
+
+/// Writes a screenshot to the first free `lensbake-N.png` of the current folder, and returns its name.
+pub(super) fn write([width, height]: [u32; 2], pixels: &[u8]) -> Result<PathBuf, PictureError> {
+    let free = (1..)
+        .map(|n| PathBuf::from(format!("lensbake-{n}.png")))
+        .find(|path| !path.exists())
+        .expect("numbers do not end");
+    write_png(&free, width, height, pixels)?;
+    Ok(free)
+}

@@ -1,0 +1,292 @@
+//! The real window: the real program on a screen of its own, driven by keys, looked at by screenshots.
+#![cfg(target_os = "linux")]
+
+use lensbake_tests::Program;
+use lensbake_tests::desktop::{Desktop, Shot, WindowedProgram};
+use std::path::Path;
+use std::time::Duration;
+
+const VIEWER: &str = env!("CARGO_BIN_EXE_viewer");
+const SIZE: &str = "640x360";
+
+/// Largest difference of a channel, of 255, between the window and the headless picture: the window's
+/// picture goes through 16-bit floats.
+const ROUNDING: u8 = 1;
+
+/// A window without its panel, at rest.
+fn open(desktop: &Desktop, folder: &Path, args: &[&str]) -> (WindowedProgram, Shot) {
+    let args = [&["--size", SIZE], args].concat();
+    let mut window = desktop.start(VIEWER, &args, folder);
+    let panel = |shot: &Shot| shot.part(20..100, 60..260);
+    window.shows("a picture is there", has_light);
+    let with_panel = window.at_rest();
+    window.press(&["Tab"]);
+    window.shows("the panel is gone", |shot| {
+        let changed = panel(shot)
+            .pixels
+            .into_iter()
+            .zip(panel(&with_panel).pixels);
+        changed.filter(|(a, b)| a != b).count() > 80 * 200 / 2
+    });
+    let shot = window.at_rest();
+    (window, shot)
+}
+
+/// All but the strip at the bottom, where messages come and go.
+fn scene(shot: &Shot) -> Shot {
+    shot.part(0..shot.width, 0..shot.height.saturating_sub(60))
+}
+
+/// Whether two pictures are one, but for rounding and messages.
+fn alike(shot: &Shot, expected: &Shot) -> bool {
+    let distance = scene(shot).distance(&scene(expected));
+    distance.is_some_and(|d| d <= ROUNDING)
+}
+
+fn has_light(shot: &Shot) -> bool {
+    let lit = shot.pixels.iter().filter(|p| p.iter().any(|&c| c > 40));
+    lit.count() > shot.pixels.len() / 20
+}
+
+/// The headless program's picture.
+fn rendered(folder: &Path, args: &[&str]) -> Shot {
+    let path = folder.join("rendered.png");
+    let all = [
+        &["render", "--size", SIZE, "-o", path.to_str().unwrap()],
+        args,
+    ]
+    .concat();
+    Program::at(VIEWER).run(&all).succeeds();
+    Shot::read(&path)
+}
+
+#[track_caller]
+fn same(shot: &Shot, expected: &Shot) {
+    let distance = shot.distance(expected);
+    assert!(distance.is_some_and(|d| d <= ROUNDING), "{distance:?}");
+}
+
+fn radius(title: &str) -> f64 {
+    let at = title.find("r = ").unwrap() + 4;
+    title[at..].split(' ').next().unwrap().parse().unwrap()
+}
+
+/// The middle and the number of the black pixels about the hole.
+fn black(shot: &Shot) -> (f64, f64, usize) {
+    let (mut x, mut y, mut count) = (0, 0, 0);
+    for (i, _) in shot
+        .pixels
+        .iter()
+        .enumerate()
+        .filter(|(_, p)| **p == [0; 3])
+    {
+        x += i % shot.width as usize;
+        y += i / shot.width as usize;
+        count += 1;
+    }
+    let mean = |sum| sum as f64 / count as f64;
+    (mean(x), mean(y), count)
+}
+
+#[test]
+#[cfg_attr(any(feature = "no-gpu", feature = "no-window"), ignore)]
+fn the_window_shows_what_the_headless_program_draws_and_obeys_the_keys() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let desktop = Desktop::new(1280, 800);
+    let (mut window, start) = open(&desktop, folder, &[]);
+    same(&start, &rendered(folder, &["--method", "lut"]));
+
+    // L: without deflection and with it again.
+    window.press(&["l"]);
+    window.shows("deflection is off", |shot| *shot != start);
+    same(&window.at_rest(), &rendered(folder, &["--method", "flat"]));
+    window.press(&["l"]);
+    assert_eq!(window.at_rest(), start);
+
+    // Z: the three skies and round.
+    for sky in ["starmap", "grid"] {
+        window.press(&["z"]);
+        let expected = rendered(folder, &["-s", sky]);
+        window.shows(sky, |shot| alike(shot, &expected));
+        assert!(window.title().contains(sky), "{}", window.title());
+    }
+    window.press(&["z"]);
+    window.shows("nebula", |shot| alike(shot, &start));
+
+    // R: four speeds; the picture moves, faster and faster, and stands still again.
+    for speed in ["1×", "2×", "4×"] {
+        window.press(&["r"]);
+        window.until(speed, |w| w.title().ends_with(speed).then_some(()));
+        let now = window.shot();
+        window.shows("it moves", |shot| Some(shot) != now.as_ref());
+    }
+    window.press(&["r"]);
+    window.until("0×", |w| w.title().ends_with(" 0×").then_some(()));
+    assert_ne!(window.at_rest(), start);
+
+    // Reset.
+    window.press(&["Home"]);
+    window.shows("the start", |shot| alike(shot, &start));
+    window.press(&["Escape"]);
+    assert_eq!(window.ends().0, 0);
+}
+
+#[test]
+#[cfg_attr(any(feature = "no-gpu", feature = "no-window"), ignore)]
+fn the_keys_look_away_and_approach_but_not_through_the_horizon() {
+    let folder = tempfile::tempdir().unwrap();
+    let desktop = Desktop::new(1280, 800);
+    let args = ["--radius", "8", "-s", "grid"];
+    let (mut window, start) = open(&desktop, folder.path(), &args);
+    let (x, y, area) = black(&start);
+    assert!(
+        (x - 319.5).abs() < 1.0 && (y - 179.5).abs() < 1.0,
+        "{x} {y}"
+    );
+
+    // The hole goes where the view does not.
+    let looked: [(&str, fn(f64, f64) -> bool); 4] = [
+        ("d", |right, _| right < -10.0),
+        ("a", |right, _| right > 10.0),
+        ("w", |_, down| down > 10.0),
+        ("s", |_, down| down < -10.0),
+    ];
+    for (key, moved) in looked {
+        window.hold(key, Duration::from_millis(200));
+        window.shows(key, |shot| {
+            let (to_x, to_y, _) = black(shot);
+            moved(to_x - x, to_y - y)
+        });
+        window.press(&["Home"]);
+        window.shows("the start", |shot| *shot == start);
+    }
+
+    window.hold("Up", Duration::from_millis(300));
+    let near = window.at_rest();
+    assert!(
+        radius(&window.title()) < 8.0 && black(&near).2 > area,
+        "{}",
+        window.title()
+    );
+    window.press(&["Home"]);
+    window.hold("Down", Duration::from_millis(300));
+    let far = window.at_rest();
+    assert!(
+        radius(&window.title()) > 8.0 && black(&far).2 < area,
+        "{}",
+        window.title()
+    );
+
+    // As near as it goes: 1.01, where all that is ahead is black.
+    window.hold("Up", Duration::from_millis(300));
+    window.scroll(100);
+    window.until("the horizon", |w| {
+        (radius(&w.title()) == 1.01).then_some(())
+    });
+    window.hold("Up", Duration::from_millis(300));
+    window.shows("black", |shot| shot.pixels.iter().all(|p| *p == [0; 3]));
+    assert_eq!(radius(&window.title()), 1.01);
+}
+
+#[test]
+#[cfg_attr(any(feature = "no-gpu", feature = "no-window"), ignore)]
+fn methods_are_compared_at_any_resolution_and_shots_are_taken() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let desktop = Desktop::new(1280, 800);
+    let (mut window, start) = open(&desktop, folder, &[]);
+    let direct = rendered(folder, &["--method", "direct"]);
+
+    window.press_until("m", "– direct –");
+    window.shows("direct", |shot| alike(shot, &direct));
+    window.press_until("m", "– split –");
+    window.shows("split", |shot| {
+        let right = |shot: &Shot| shot.part(322..640, 0..360);
+        let left = |shot: &Shot| shot.part(0..319, 0..360);
+        let divider = |shot: &Shot| shot.part(319..322, 0..300);
+        divider(shot) != divider(&direct)
+            && alike(&right(shot), &right(&direct))
+            && alike(&left(shot), &left(&start))
+    });
+    window.press_until("m", "– difference –");
+    let difference = window.shows("difference", |shot| black(shot).2 > shot.pixels.len() / 2);
+    window.press(&["bracketright", "bracketright", "bracketright"]);
+    let sum = |shot: &Shot| {
+        shot.pixels
+            .iter()
+            .flatten()
+            .map(|&c| u64::from(c))
+            .sum::<u64>()
+    };
+    window.shows("amplified", |shot| sum(shot) > 2 * sum(&difference));
+    window.press_until("m", "– table –");
+    window.shows("table", |shot| *shot == start);
+
+    // Two by two, automatic, a quarter, half: the picture stays the same but for its detail, and the
+    // shadow is as large as it was.
+    for resolution in ["2×2", "automatic", "quarter", "half"] {
+        window.press(&["x"]);
+        let shot = window.at_rest();
+        let (_, _, area) = black(&start);
+        let (x, y, now) = black(&shot);
+        let share = now as f64 / area as f64;
+        assert!((share - 1.0).abs() < 0.25, "{resolution}: {share}");
+        assert!((x - 319.5).abs() < 40.0 && (y - 179.5).abs() < 40.0);
+        assert!(resolution == "automatic" || shot != start, "{resolution}");
+    }
+    window.press(&["x"]);
+    window.shows("full", |shot| *shot == start);
+
+    // A screenshot is the window without its panel.
+    window.press(&["Tab", "p", "Tab"]);
+    let file = folder.join("lensbake-1.png");
+    window.until("a file is there", |_| file.exists().then_some(()));
+    assert_eq!(Shot::read(&file), start);
+
+    // Another size, and back.
+    window.resize(320, 200);
+    window.shows("smaller", |shot| shot.width == 320 && has_light(shot));
+    window.resize(640, 360);
+    window.shows("as before", |shot| *shot == start);
+}
+
+#[test]
+#[cfg_attr(any(feature = "no-gpu", feature = "no-window"), ignore)]
+fn files_are_dropped() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let desktop = Desktop::new(1280, 800);
+    let (mut window, start) = open(&desktop, folder, &[]);
+
+    // A panorama of one colour.
+    let green = folder.join("green sky.png");
+    image::RgbImage::from_pixel(64, 32, image::Rgb([20, 200, 60]))
+        .save(&green)
+        .unwrap();
+    window.drop_file(&green);
+    window.shows("a green sky", |shot| shot.pixels.contains(&[20, 200, 60]));
+    window.until("its name", |w| {
+        w.title().contains("green sky.png").then_some(())
+    });
+
+    // What is neither a sky nor a table leaves all as it is, and is named.
+    let text = folder.join("notes.txt");
+    std::fs::write(&text, "no picture").unwrap();
+    window.drop_file(&text);
+    window.until("a refusal", |w| {
+        w.stderr().contains("notes.txt").then_some(())
+    });
+    assert!(window.title().contains("green sky.png"));
+
+    // A coarse atlas, whose error is seen, but not as another picture.
+    let atlas = folder.join("coarse.lbt");
+    lensbake_tables::container::write(&atlas, &lensbake_tests::coarse_atlas()).unwrap();
+    let coarse = rendered(folder, &["--table", atlas.to_str().unwrap()]);
+    assert!(!alike(&coarse, &start));
+    window.press(&["Home", "z"]);
+    window.shows("the nebula", |shot| alike(shot, &start));
+    window.drop_file(&atlas);
+    window.shows("the coarse atlas' picture", |shot| alike(shot, &coarse));
+    assert!(!window.stderr().contains("panicked"), "{}", window.stderr());
+}
