@@ -40,8 +40,9 @@ impl Renderer {
     /// [`GpuError::Failed`] if the sky does not fit.
     pub fn new(gpu: &Gpu, sky: &Sky) -> Result<Self, GpuError> {
         let device = &gpu.device;
+        let layout =
+            |label, bindings: &_| bind_group_layout(device, label, ShaderStages::COMPUTE, bindings);
         let sky_layout = layout(
-            device,
             "sky",
             &[
                 texture_binding(TextureViewDimension::Cube, true),
@@ -50,7 +51,7 @@ impl Renderer {
         );
         let frame_layout = |label, output| {
             let row = texture_binding(TextureViewDimension::D1, false);
-            layout(device, label, &[uniform_binding(true), row, output])
+            layout(label, &[uniform_binding(true), row, output])
         };
         let renderer = Renderer {
             sky: sky_bind_group(gpu, &sky_layout, sky),
@@ -259,13 +260,18 @@ fn sky_bind_group(gpu: &Gpu, layout: &BindGroupLayout, sky: &Sky) -> BindGroup {
     })
 }
 
-/// A layout of `bindings` in their order, for compute shaders.
-pub(super) fn layout(device: &Device, label: &str, bindings: &[BindingType]) -> BindGroupLayout {
+/// A layout of `bindings` in their order.
+pub(super) fn bind_group_layout(
+    device: &Device,
+    label: &str,
+    visibility: ShaderStages,
+    bindings: &[BindingType],
+) -> BindGroupLayout {
     let entries: Vec<BindGroupLayoutEntry> = (0..)
         .zip(bindings)
         .map(|(binding, &ty)| BindGroupLayoutEntry {
             binding,
-            visibility: ShaderStages::COMPUTE,
+            visibility,
             ty,
             count: None,
         })

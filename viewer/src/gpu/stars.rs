@@ -2,7 +2,7 @@
 //! pixel into the pixel's list; the picture adds up the lists. So the light is summed in f32, which no
 //! integer atomic and no blending into 16-bit floats would give, on any device that can compute.
 
-use super::renderer::{layout, resource, storage_buffer_binding, uniform_binding};
+use super::renderer::{bind_group_layout, resource, storage_buffer_binding, uniform_binding};
 use super::{Frame, Gpu, GpuError, Tile};
 use crate::scene::{Method, Scene};
 use crate::stars::cells::{Candidate, Cells};
@@ -81,8 +81,10 @@ impl Stars {
         let stars: Vec<GpuStar> = field.stars.iter().map(gpu_star).collect();
         let read_only = storage_buffer_binding(true);
         let read_write = storage_buffer_binding(false);
+        let layout = |label, bindings: &[_]| {
+            bind_group_layout(device, label, ShaderStages::COMPUTE, bindings)
+        };
         let sort_layout = layout(
-            device,
             "stars to lists",
             &[
                 uniform_binding(false),
@@ -94,7 +96,7 @@ impl Stars {
                 read_only,
             ],
         );
-        let list_layout = layout(device, "lists of stars", &[read_only, read_only]);
+        let list_layout = layout("lists of stars", &[read_only, read_only]);
         Stars {
             buffer: device.create_buffer_init(&util::BufferInitDescriptor {
                 label: Some("stars"),
