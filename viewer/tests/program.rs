@@ -213,7 +213,7 @@ fn catalogues_that_are_none_are_refused_in_one_line() {
     };
     let mut truncated = viewer::stars::to_bytes(&viewer::stars::hipparcos());
     truncated.truncate(1000);
-    let junk: Vec<u8> = (0..10_000_u32).map(|i| (i * i >> 3) as u8).collect();
+    let junk: Vec<u8> = (0..10_000_u32).map(|i| ((i * i) >> 3) as u8).collect();
     let cases: [(&str, &[u8], &str); 8] = [
         ("empty.csv", b"", "no column 'ra'"),
         ("header.csv", b"ra,dec,mag\n", "holds no star"),

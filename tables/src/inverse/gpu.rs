@@ -53,10 +53,11 @@ pub struct GpuImage {
     pub stretch: f32,
 }
 
-/// The inverse hyperbolic sine, to 5e-7 or a few parts in 1e7.
-pub fn arsinh(x: f32) -> f32 {
+/// e^v of x = sinh v, to a few parts in 1e7.
+pub fn exp_arsinh(x: f32) -> f32 {
     let size = x.abs();
-    (size + (size * size + 1.0).sqrt()).ln().copysign(x)
+    let grown = size + (size * size + 1.0).sqrt();
+    if x < 0.0 { 1.0 / grown } else { grown }
 }
 
 impl GpuInverseRow {
@@ -84,13 +85,16 @@ impl GpuInverseRow {
         let last = self.texels.len() - 1;
         let inside = sky_angle.max(inverse.first_angle);
         let u = inside / inverse.scale;
-        let position = ((arsinh(u) - inverse.first) * inverse.texels_per_v).clamp(0.0, last as f32);
+        let exp_v = exp_arsinh(u);
+        let position =
+            ((exp_v.ln() - inverse.first) * inverse.texels_per_v).clamp(0.0, last as f32);
         let i = (position as usize).min(last - 1);
         let [value, slope] = cubic(self.texels[i], self.texels[i + 1], position - i as f32);
-        let offset = (value + (sky_angle - inside)).exp();
+        let offset = 0.5 * inverse.scale * exp_v * (value + (sky_angle - inside)).exp();
         GpuImage {
             cos_sin: cos_sin(inverse.edge + offset),
-            stretch: offset * slope * inverse.texels_per_v / (inverse.scale * (u * u + 1.0).sqrt()),
+            stretch: offset * (1.0 + slope * inverse.texels_per_v)
+                / (inverse.scale * (u * u + 1.0).sqrt()),
         }
     }
 }

@@ -21,23 +21,25 @@ struct Image {
     stretch: f32,
 }
 
-// The inverse hyperbolic sine, to 5e-7 or a few parts in 1e7.
-fn arsinh(x: f32) -> f32 {
+// e^v of x = sinh v, to a few parts in 1e7.
+fn exp_arsinh(x: f32) -> f32 {
     let size = abs(x);
-    return sign(x) * log(size + sqrt(size * size + 1.0));
+    let grown = size + sqrt(size * size + 1.0);
+    return select(grown, 1.0 / grown, x < 0.0);
 }
 
 // Where the light that comes from the unwrapped sky angle ϑ ≤ π (rad) is seen.
 fn image(sky_angle: f32, inverse: Inverse) -> Image {
-    // Beyond the first texel the light turns further and Λ falls by as much.
+    // Beyond the first texel the light turns further, and ln(θ − θ_c) falls by as much.
     let inside = max(sky_angle, inverse.first_angle);
     let u = inside / inverse.scale;
-    let position = clamp((arsinh(u) - inverse.first) * inverse.texels_per_v, 0.0, f32(INVERSE_LAST));
+    let exp_v = exp_arsinh(u);
+    let position = clamp((log(exp_v) - inverse.first) * inverse.texels_per_v, 0.0, f32(INVERSE_LAST));
     let i = min(u32(position), INVERSE_LAST - 1u);
     let stored = cubic(inverse_texel(i), inverse_texel(i + 1u), position - f32(i));
-    let offset = exp(stored.x + (sky_angle - inside));
-    let stretch = offset * stored.y * inverse.texels_per_v / (inverse.scale * sqrt(u * u + 1.0));
-    return Image(cos_sin(inverse.edge + offset), stretch);
+    let offset = 0.5 * inverse.scale * exp_v * exp(stored.x + (sky_angle - inside));
+    let slope = 1.0 + stored.y * inverse.texels_per_v;
+    return Image(cos_sin(inverse.edge + offset), offset * slope / (inverse.scale * sqrt(u * u + 1.0)));
 }
 
 // How many times brighter than without the hole a point with p = |sin ϑ| is seen at the image of ϑ:

@@ -6,18 +6,22 @@
 //! other side, and again on either side with each further turn of the light. The magnification of an image
 //! is μ = sin θ dθ / (|sin ϑ| dϑ).
 //!
-//! The inverse row holds θ(ϑ). Two things make 64 texels enough at every radius:
+//! The inverse row holds θ(ϑ). Far away θ − θ_c is that of a weak lens with Einstein's angle θ_E = √(2/r),
 //!
-//! - At the edge ϑ → ln(θ − θ_c) + const, so what is stored is Λ = ln(θ − θ_c): a straight line there, and
-//!   its slope keeps the magnification of the faintest winding to the same relative accuracy.
-//! - Far away θ bends from θ_E²/|ϑ| to ϑ within an Einstein radius θ_E = √(2/r) of the axis: with
-//!   ϑ = 2 θ_E sinh v the texels are uniform in v, which resolves that however narrow it is.
+//! ```text
+//! θ_w = (ϑ + √(ϑ² + 4 θ_E²)) / 2 = θ_E e^v,     ϑ = 2 θ_E sinh v
+//! ```
+//!
+//! and at the edge ln(θ − θ_c) → ϑ + const. So what is stored is Λ = ln((θ − θ_c)/θ_w), next to nothing far
+//! away and smooth everywhere, against v, which resolves the bend of width θ_E however narrow it is. The
+//! slope of Λ keeps the magnification of the faintest winding to the same relative accuracy. That makes 64
+//! texels enough at every radius.
 //!
 //! Between texels the interpolation is cubic Hermite, as in the row itself.
 
 mod gpu;
 
-pub use gpu::{GpuImage, GpuInverseRow, Inverse, WGSL, arsinh, wgsl_row};
+pub use gpu::{GpuImage, GpuInverseRow, Inverse, WGSL, exp_arsinh, wgsl_row};
 
 use crate::{Interpolation, Row};
 use lensbake_core::{BendAndSlope, CoreError, EdgeCoordinate, Fate, Observer};
@@ -26,7 +30,7 @@ use std::f64::consts::PI;
 /// Texels of an inverse row: 512 bytes on a GPU, as the row itself.
 pub const INVERSE_TEXELS: u32 = 64;
 
-/// ϑ of the first texel, rad. Below it Λ is a straight line to 1e-6.
+/// ϑ of the first texel, rad. Below it ln(θ − θ_c) is a straight line to 1e-6.
 const FIRST: f64 = -5.0 * PI;
 
 /// Where a point of the sky is seen.
@@ -84,7 +88,9 @@ impl InverseRow {
                 (log_offset, slope) = solve(&observer, &bending, sky_angle, from);
                 slope *= scale * v.cosh();
             }
-            texels[i as usize] = [log_offset, slope * per_texel];
+            // θ_w = (scale/2) e^v, so that its logarithm has the slope 1.
+            let weak = v + (0.5 * scale).ln();
+            texels[i as usize] = [log_offset - weak, (slope - 1.0) * per_texel];
         }
         Ok(InverseRow {
             observer,
@@ -103,13 +109,14 @@ impl InverseRow {
     /// Where the light that comes from the unwrapped sky angle `sky_angle` ≤ π (rad) is seen.
     pub fn image(&self, sky_angle: f64) -> Image {
         let last = f64::from(INVERSE_TEXELS - 1);
-        // Beyond the first texel the light turns further and Λ falls by as much.
+        // Beyond the first texel the light turns further, and ln(θ − θ_c) falls by as much.
         let inside = sky_angle.max(FIRST);
         let v = (inside / self.scale).asinh();
         let q = (v - self.first) / (self.per_texel * last);
         let stored = Interpolation::Hermite.between(&self.texels, q);
-        let offset = (stored.value + (sky_angle - inside)).exp();
-        let slope = stored.slope / (self.per_texel * last);
+        let weak = 0.5 * self.scale * v.exp();
+        let offset = weak * (stored.value + (sky_angle - inside)).exp();
+        let slope = 1.0 + stored.slope / (self.per_texel * last);
         Image {
             theta: self.observer.edge_angle() + offset,
             stretch: offset * slope / inside.hypot(self.scale),
@@ -135,7 +142,8 @@ impl Image {
     }
 }
 
-/// Λ with ϑ(θ_c + exp Λ) = `sky_angle`, and dΛ/dϑ, by Newton's method from `from`.
+/// ln(θ − θ_c) at the θ with θ − Δ(θ) = `sky_angle`, and its derivative by ϑ, by Newton's method from
+/// `from`.
 fn solve(
     observer: &Observer,
     bending: impl Fn(EdgeCoordinate) -> Fate<BendAndSlope>,
@@ -278,7 +286,7 @@ mod tests {
                 let [cos, sin] = theirs.cos_sin.map(f64::from);
                 let (sin_theta, cos_theta) = image.theta.sin_cos();
                 let off = (cos - cos_theta).hypot(sin - sin_theta);
-                assert!(off < 5e-6, "r {r}, {angle}: {off:e}");
+                assert!(off < 1.5e-6, "r {r}, {angle}: {off:e}");
                 let stretch = f64::from(theirs.stretch) / image.stretch;
                 assert!((stretch - 1.0).abs() < 5e-5, "r {r}, {angle}: {stretch}");
             }

@@ -120,7 +120,7 @@ mod tests {
         };
         let stars = vec![
             star(0.0, -1.5, -1.46, Some(0.009)),
-            star(TAU - 1e-12, 1.570_7, 2.0, None),
+            star(TAU - 1e-12, 1.56, 2.0, None),
             star(3.1, 0.1, 14.562, Some(-0.4)),
         ];
         Catalogue::new(stars, 2e-8).unwrap()
