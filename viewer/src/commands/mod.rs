@@ -1,5 +1,6 @@
 //! The commands: arguments in, data to standard output, summaries to standard error.
 
+pub mod bench;
 pub mod catalogue;
 pub mod chart;
 pub mod diff;
@@ -14,6 +15,7 @@ use std::borrow::Cow;
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
+use viewer::bench::BenchError;
 use viewer::camera::{Camera, CameraError};
 use viewer::chart::ChartError;
 use viewer::gpu::{Gpu, GpuError};
@@ -64,6 +66,18 @@ pub enum CommandError {
     /// The window.
     #[error(transparent)]
     Window(#[from] WindowError),
+    /// The benchmark.
+    #[error(transparent)]
+    Bench(#[from] BenchError),
+    /// A file to write.
+    #[error("{}: {_1}", _0.display())]
+    File(PathBuf, io::Error),
+    /// Figures that do not go into JSON.
+    #[error("JSON: {0}")]
+    Json(serde_json::Error),
+    /// A length of time that is none.
+    #[error("--seconds {0} is not from 0 to 3600")]
+    Seconds(f64),
     /// A folder to write to.
     #[error("{}: {_1}", _0.display())]
     Folder(PathBuf, io::Error),
