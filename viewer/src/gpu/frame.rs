@@ -93,6 +93,7 @@ mod tests {
             Store::Buffer,
             64,
             Interpolation::Hermite,
+            false,
         );
         let module = naga::front::wgsl::parse_str(&source).unwrap();
         let (members, span) = module
