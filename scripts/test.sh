@@ -1,5 +1,6 @@
 #!/bin/sh
-# Runs every test. Where there is no Vulkan driver, installs software Vulkan first (Debian, Ubuntu).
+# Runs every test. On Debian and Ubuntu, installs first what is missing: software Vulkan where there is no
+# driver, and a screen for the window's tests.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -10,21 +11,40 @@ has_vulkan_driver() {
     [ -n "${VK_DRIVER_FILES:-}${VK_ICD_FILENAMES:-}" ]
 }
 
-has_vulkan_loader() {
-    /sbin/ldconfig -p 2>/dev/null | grep -q libvulkan.so.1
+has_library() {
+    /sbin/ldconfig -p 2>/dev/null | grep -q "$1"
 }
 
-if [ "$(uname)" = Linux ] && ! { has_vulkan_driver && has_vulkan_loader; }; then
-    if ! command -v apt-get >/dev/null; then
-        echo "test.sh: no Vulkan driver: install one, or run" \
-            "cargo test --workspace --features lensbake-tests/no-gpu,viewer/no-gpu" >&2
+has_program() {
+    command -v "$1" >/dev/null
+}
+
+missing=""
+if [ "$(uname)" = Linux ]; then
+    has_vulkan_driver || missing="$missing mesa-vulkan-drivers"
+    has_library libvulkan.so.1 || missing="$missing libvulkan1"
+    has_program Xvfb || missing="$missing xvfb"
+    has_program xdotool || missing="$missing xdotool"
+    has_library libX11.so.6 || missing="$missing libx11-6"
+    has_library libX11-xcb.so.1 || missing="$missing libx11-xcb1"
+    has_library libXcursor.so.1 || missing="$missing libxcursor1"
+    has_library libXi.so.6 || missing="$missing libxi6"
+    has_library libXrandr.so.2 || missing="$missing libxrandr2"
+    has_library libxkbcommon.so.0 || missing="$missing libxkbcommon0"
+    has_library libxkbcommon-x11.so.0 || missing="$missing libxkbcommon-x11-0"
+fi
+
+if [ -n "$missing" ]; then
+    if ! has_program apt-get; then
+        echo "test.sh: install what these Debian packages hold:$missing; or run cargo test --workspace" \
+            "--features lensbake-tests/no-gpu,viewer/no-gpu,viewer/no-window" >&2
         exit 2
     fi
     as_root=""
     [ "$(id -u)" = 0 ] || as_root=sudo
     $as_root apt-get update
-    $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
-        mesa-vulkan-drivers libvulkan1
+    # shellcheck disable=SC2086 # one word a package
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
 fi
 
 cargo test --workspace

@@ -154,11 +154,20 @@ impl WindowedProgram {
             if let Some(answer) = ask(self) {
                 return answer;
             }
-            if let Some(status) = self.child.try_wait().unwrap() {
-                panic!("ended with {status} before {what}: {}", self.stderr());
-            }
+            self.still_runs(what);
             assert!(since.elapsed() < PATIENCE, "waited in vain until {what}");
             std::thread::sleep(Duration::from_millis(20));
+        }
+    }
+
+    /// Checks that the program has not ended.
+    ///
+    /// # Panics
+    /// If it has, with what it said.
+    #[track_caller]
+    pub fn still_runs(&mut self, until: &str) {
+        if let Some(status) = self.child.try_wait().unwrap() {
+            panic!("ended with {status} before {until}: {}", self.stderr());
         }
     }
 
@@ -194,6 +203,16 @@ impl WindowedProgram {
     pub fn resize(&self, width: u32, height: u32) {
         let sizes = [width, height].map(|side| side.to_string());
         self.xdotool(&["windowsize", &self.window.to_string(), &sizes[0], &sizes[1]]);
+    }
+
+    /// Takes the window off the screen.
+    pub fn hide(&self) {
+        self.xdotool(&["windowunmap", "--sync", &self.window.to_string()]);
+    }
+
+    /// Puts the window back on the screen.
+    pub fn unhide(&self) {
+        self.xdotool(&["windowmap", "--sync", &self.window.to_string()]);
     }
 
     /// Runs xdotool.
@@ -287,6 +306,12 @@ impl WindowedProgram {
         let line = status.lines().find(|l| l.starts_with("VmRSS:")).unwrap();
         let kib: u64 = line.split_whitespace().nth(1).unwrap().parse().unwrap();
         1024 * kib
+    }
+
+    /// Whether the program still runs after a while.
+    pub fn is_alive_after(&mut self, time: Duration) -> bool {
+        std::thread::sleep(time);
+        self.child.try_wait().unwrap().is_none()
     }
 
     /// Waits for the program to end; returns its exit code and what it wrote to standard error.

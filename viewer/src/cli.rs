@@ -31,6 +31,9 @@ pub enum Command {
     Diff(DiffArgs),
     /// Chart speed against accuracy of every way to draw, on the GPU at hand.
     Chart(ChartArgs),
+    /// Frames a second and time a ray at several sizes, on the GPU at hand: undeflected, by the table,
+    /// and by direct integration, on a flight between r = 2.5 and 37.5.
+    Bench(BenchArgs),
     /// Measure the filtered picture against many rays a pixel by direct integration.
     Reference(ReferenceArgs),
 }
@@ -106,6 +109,32 @@ pub struct ChartArgs {
     /// A small picture and few rounds: seconds, to see that it works.
     #[arg(long)]
     pub quick: bool,
+}
+
+/// Options of `viewer bench`.
+#[derive(Debug, Args)]
+pub struct BenchArgs {
+    /// Sizes of the picture, separated by commas
+    /// [default: 480x270,960x540,1920x1080,3840x2160].
+    #[arg(long, value_name = "WxH,…", value_parser = size, value_delimiter = ',')]
+    pub sizes: Option<Vec<(u32, u32)>>,
+    /// Length of the flight at each size, in seconds.
+    #[arg(
+        long,
+        value_name = "S",
+        default_value_t = 10.0,
+        allow_negative_numbers = true
+    )]
+    pub seconds: f64,
+    /// Frames of each method at each size at the least, however long they take.
+    #[arg(long, value_name = "N", default_value_t = 15, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub rounds: u32,
+    /// File to write the figures to as comma-separated values.
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// File to write the figures to as JSON.
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<PathBuf>,
 }
 
 /// Options of `viewer reference`.

@@ -5,6 +5,7 @@
 //! `shaders/deflect_*.wgsl` on the GPU): camera, sky and shading are one text, so the difference of
 //! their pictures is the table's error and nothing else.
 
+pub mod bench;
 pub mod camera;
 pub mod chart;
 pub mod cpu;

@@ -18,6 +18,7 @@ fn main() -> ExitCode {
         None => commands::window::run(&cli.window),
         Some(Command::Render(args)) => commands::render::run(&args),
         Some(Command::Chart(args)) => commands::chart::run(&args),
+        Some(Command::Bench(args)) => commands::bench::run(&args),
         Some(Command::Diff(args)) => commands::diff::run(&args),
         Some(Command::Reference(args)) => commands::reference::run(&args),
     };

@@ -146,17 +146,16 @@ fn the_keys_look_away_and_approach_but_not_through_the_horizon() {
     );
 
     // The hole goes where the view does not.
-    let looked: [(&str, fn(f64, f64) -> bool); 4] = [
-        ("d", |right, _| right < -10.0),
-        ("a", |right, _| right > 10.0),
-        ("w", |_, down| down > 10.0),
-        ("s", |_, down| down < -10.0),
-    ];
-    for (key, moved) in looked {
+    for (key, right, down) in [
+        ("d", -1.0, 0.0),
+        ("a", 1.0, 0.0),
+        ("w", 0.0, 1.0),
+        ("s", 0.0, -1.0),
+    ] {
         window.hold(key, Duration::from_millis(200));
         window.shows(key, |shot| {
             let (to_x, to_y, _) = black(shot);
-            moved(to_x - x, to_y - y)
+            right * (to_x - x) + down * (to_y - y) > 10.0
         });
         window.press(&["Home"]);
         window.shows("the start", |shot| *shot == start);

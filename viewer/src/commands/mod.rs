@@ -1,5 +1,6 @@
 //! The commands: arguments in, data to standard output, summaries to standard error.
 
+pub mod bench;
 pub mod chart;
 pub mod diff;
 mod least;
@@ -13,6 +14,7 @@ use std::borrow::Cow;
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
+use viewer::bench::BenchError;
 use viewer::camera::{Camera, CameraError};
 use viewer::chart::ChartError;
 use viewer::gpu::{Gpu, GpuError};
@@ -57,6 +59,18 @@ pub enum CommandError {
     /// The window.
     #[error(transparent)]
     Window(#[from] WindowError),
+    /// The benchmark.
+    #[error(transparent)]
+    Bench(#[from] BenchError),
+    /// A file to write.
+    #[error("{}: {_1}", _0.display())]
+    File(PathBuf, io::Error),
+    /// Figures that do not go into JSON.
+    #[error("JSON: {0}")]
+    Json(serde_json::Error),
+    /// A length of time that is none.
+    #[error("--seconds {0} is not from 0 to 3600")]
+    Seconds(f64),
     /// A folder to write to.
     #[error("{}: {_1}", _0.display())]
     Folder(PathBuf, io::Error),

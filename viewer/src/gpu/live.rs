@@ -84,6 +84,10 @@ impl Live {
 
     /// Makes ready for rows of the shape of `row`.
     pub fn set_row_shape(&mut self, row: &Row) {
+        let shape = |row: &Row| (row.texel_count(), row.interpolation());
+        if shape(row) == shape(&self.row) {
+            return;
+        }
         self.programs = Programs::new(&self.renderer, row);
         self.canvas = Canvas::on_texture(&self.renderer, row, self.room);
         self.row = row.clone();

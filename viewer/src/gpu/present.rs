@@ -1,6 +1,6 @@
 //! From the finished picture to a window's pixels: `shaders/present.wgsl`.
 
-use super::renderer::resource;
+use super::renderer::{bind_group_layout, resource, texture_binding};
 use super::{Frame, Gpu, Live, Tile};
 use crate::camera::Camera;
 use crate::scene::Method;
@@ -12,26 +12,56 @@ use wgpu::*;
 #[repr(C)]
 struct Present {
     picture: [u32; 2],
-    edge: u32,
     divider: u32,
-    encode: u32,
     padding: u32,
 }
 
-const NO_EDGE: u32 = 0;
-const SHADOW: u32 = 1;
-const SPHERE: u32 = 2;
 const NO_DIVIDER: u32 = u32::MAX;
+
+/// How the picture becomes the window's: the constant `FIT` of the shader.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Fit {
+    AsItIs,
+    FromTwoByTwo,
+    Enlarged,
+    EnlargedShadow,
+    EnlargedSphere,
+}
+
+impl Fit {
+    const ALL: [Fit; 5] = [
+        Fit::AsItIs,
+        Fit::FromTwoByTwo,
+        Fit::Enlarged,
+        Fit::EnlargedShadow,
+        Fit::EnlargedSphere,
+    ];
+
+    fn of(picture: [u32; 2], window: [u32; 2], edge: Edge) -> Self {
+        if picture == window {
+            return Fit::AsItIs;
+        }
+        if picture == window.map(|side| 2 * side) {
+            return Fit::FromTwoByTwo;
+        }
+        match edge {
+            Edge::AsDrawn => Fit::Enlarged,
+            Edge::Shadow => Fit::EnlargedShadow,
+            Edge::Sphere => Fit::EnlargedSphere,
+        }
+    }
+}
 
 /// Shows pictures on a surface.
 #[derive(Debug)]
 pub struct Presenter {
     queue: Queue,
-    pipeline: RenderPipeline,
+    layout: BindGroupLayout,
+    pipelines: [RenderPipeline; Fit::ALL.len()],
+    fit: Fit,
     frame: Buffer,
     present: Buffer,
     bind_group: BindGroup,
-    encode: bool,
 }
 
 /// The edge between the hole and the sky, where the picture has fewer pixels than the window.
@@ -66,14 +96,15 @@ impl Presenter {
                 mapped_at_creation: false,
             })
         };
-        let pipeline = pipeline(device, format);
+        let layout = layout(device);
         let frame = uniform("window", size_of::<Frame>());
         let present = uniform("present", size_of::<Present>());
         Presenter {
             queue: gpu.queue.clone(),
-            bind_group: bind_group(device, &pipeline, &frame, &present, live),
-            encode: !format.is_srgb(),
-            pipeline,
+            pipelines: pipelines(device, &layout, format),
+            fit: Fit::AsItIs,
+            bind_group: bind_group(device, &layout, &frame, &present, live),
+            layout,
             frame,
             present,
         }
@@ -82,11 +113,11 @@ impl Presenter {
     /// Turns to the texture that `live` draws to now.
     pub fn follow(&mut self, gpu: &Gpu, live: &Live) {
         let (frame, present) = (&self.frame, &self.present);
-        self.bind_group = bind_group(&gpu.device, &self.pipeline, frame, present, live);
+        self.bind_group = bind_group(&gpu.device, &self.layout, frame, present, live);
     }
 
     /// Sets what is shown next: a picture of `picture` pixels in a window whose own camera is `window`.
-    pub fn show(&self, picture: [u32; 2], window: &Camera, showing: Showing) {
+    pub fn show(&mut self, picture: [u32; 2], window: &Camera, showing: Showing) {
         let whole = Tile {
             first: [0, 0],
             count: [window.width, window.height],
@@ -94,15 +125,10 @@ impl Presenter {
         let frame = Frame::new(window, whole, Method::DEFAULT_STEP, 1.0);
         let present = Present {
             picture,
-            edge: match showing.edge {
-                Edge::AsDrawn => NO_EDGE,
-                Edge::Shadow => SHADOW,
-                Edge::Sphere => SPHERE,
-            },
             divider: showing.divider.unwrap_or(NO_DIVIDER),
-            encode: self.encode.into(),
             padding: 0,
         };
+        self.fit = Fit::of(picture, whole.count, showing.edge);
         self.queue
             .write_buffer(&self.frame, 0, bytemuck::bytes_of(&frame));
         self.queue
@@ -111,7 +137,7 @@ impl Presenter {
 
     /// Draws it.
     pub fn draw(&self, pass: &mut RenderPass) {
-        pass.set_pipeline(&self.pipeline);
+        pass.set_pipeline(&self.pipelines[self.fit as usize]);
         pass.set_bind_group(0, &self.bind_group, &[]);
         pass.draw(0..3, 0..1);
     }
@@ -128,44 +154,71 @@ fn source() -> String {
     .join("\n")
 }
 
-fn pipeline(device: &Device, format: TextureFormat) -> RenderPipeline {
+fn pipelines(
+    device: &Device,
+    layout: &BindGroupLayout,
+    format: TextureFormat,
+) -> [RenderPipeline; Fit::ALL.len()] {
     let module = device.create_shader_module(ShaderModuleDescriptor {
         label: Some("present"),
         source: ShaderSource::Wgsl(source().into()),
     });
-    device.create_render_pipeline(&RenderPipelineDescriptor {
+    let layout = device.create_pipeline_layout(&PipelineLayoutDescriptor {
         label: Some("present"),
-        layout: None,
-        vertex: VertexState {
-            module: &module,
-            entry_point: Some("corner"),
-            compilation_options: Default::default(),
-            buffers: &[],
-        },
-        fragment: Some(FragmentState {
-            module: &module,
-            entry_point: Some("shade"),
-            compilation_options: Default::default(),
-            targets: &[Some(format.into())],
-        }),
-        primitive: Default::default(),
-        depth_stencil: None,
-        multisample: Default::default(),
-        multiview_mask: None,
-        cache: None,
+        bind_group_layouts: &[Some(layout)],
+        immediate_size: 0,
+    });
+    let encode = f64::from(u8::from(!format.is_srgb()));
+    Fit::ALL.map(|fit| {
+        let constants = [("FIT", f64::from(fit as u32)), ("ENCODE", encode)];
+        device.create_render_pipeline(&RenderPipelineDescriptor {
+            label: Some("present"),
+            layout: Some(&layout),
+            vertex: VertexState {
+                module: &module,
+                entry_point: Some("corner"),
+                compilation_options: Default::default(),
+                buffers: &[],
+            },
+            fragment: Some(FragmentState {
+                module: &module,
+                entry_point: Some("shade"),
+                compilation_options: PipelineCompilationOptions {
+                    constants: &constants,
+                    ..Default::default()
+                },
+                targets: &[Some(format.into())],
+            }),
+            primitive: Default::default(),
+            depth_stencil: None,
+            multisample: Default::default(),
+            multiview_mask: None,
+            cache: None,
+        })
     })
+}
+
+fn layout(device: &Device) -> BindGroupLayout {
+    let uniform = BindingType::Buffer {
+        ty: BufferBindingType::Uniform,
+        has_dynamic_offset: false,
+        min_binding_size: None,
+    };
+    let picture = texture_binding(TextureViewDimension::D2, false);
+    let stages = ShaderStages::FRAGMENT;
+    bind_group_layout(device, "present", stages, &[uniform, uniform, picture])
 }
 
 fn bind_group(
     device: &Device,
-    pipeline: &RenderPipeline,
+    layout: &BindGroupLayout,
     frame: &Buffer,
     present: &Buffer,
     live: &Live,
 ) -> BindGroup {
     device.create_bind_group(&BindGroupDescriptor {
         label: Some("present"),
-        layout: &pipeline.get_bind_group_layout(0),
+        layout,
         entries: &[
             resource(0, frame.as_entire_binding()),
             resource(1, present.as_entire_binding()),
@@ -196,7 +249,7 @@ mod tests {
             panic!("no struct");
         };
         let offsets: Vec<u32> = members.iter().map(|m| m.offset).collect();
-        assert_eq!(offsets, [0, 8, 12, 16]);
+        assert_eq!(offsets, [0, 8]);
         assert_eq!(*span as usize, size_of::<Present>());
     }
 }

@@ -51,8 +51,9 @@ impl Renderer {
     /// [`GpuError::Failed`] if the sky does not fit.
     pub fn new(gpu: &Gpu, sky: &Sky) -> Result<Self, GpuError> {
         let device = &gpu.device;
+        let layout =
+            |label, bindings: &_| bind_group_layout(device, label, ShaderStages::COMPUTE, bindings);
         let sky_layout = layout(
-            device,
             "sky",
             &[
                 texture_binding(TextureViewDimension::Cube, true),
@@ -62,7 +63,7 @@ impl Renderer {
         let frame_layout = |label, output| {
             let row = texture_binding(TextureViewDimension::D1, false);
             let blocks = storage_buffer_binding(true);
-            layout(device, label, &[frame_binding(), row, output, blocks])
+            layout(label, &[frame_binding(), row, output, blocks])
         };
         let renderer = Renderer {
             sky: put_on_device(gpu, &sky_layout, sky),
@@ -284,13 +285,18 @@ fn put_on_device(gpu: &Gpu, layout: &BindGroupLayout, sky: &Sky) -> SkyOnDevice 
     }
 }
 
-/// A layout of `bindings` in their order, for compute shaders.
-fn layout(device: &Device, label: &str, bindings: &[BindingType]) -> BindGroupLayout {
+/// A layout of `bindings` in their order.
+pub(super) fn bind_group_layout(
+    device: &Device,
+    label: &str,
+    visibility: ShaderStages,
+    bindings: &[BindingType],
+) -> BindGroupLayout {
     let entries: Vec<BindGroupLayoutEntry> = (0..)
         .zip(bindings)
         .map(|(binding, &ty)| BindGroupLayoutEntry {
             binding,
-            visibility: ShaderStages::COMPUTE,
+            visibility,
             ty,
             count: None,
         })
@@ -321,7 +327,10 @@ fn storage_buffer_binding(read_only: bool) -> BindingType {
     }
 }
 
-fn texture_binding(view_dimension: TextureViewDimension, filterable: bool) -> BindingType {
+pub(super) fn texture_binding(
+    view_dimension: TextureViewDimension,
+    filterable: bool,
+) -> BindingType {
     BindingType::Texture {
         sample_type: TextureSampleType::Float { filterable },
         view_dimension,

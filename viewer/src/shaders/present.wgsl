@@ -1,21 +1,23 @@
 // The finished picture on the screen: enlarged or reduced to the window's pixels and encoded in sRGB.
 // Where the picture is enlarged, the shadow's edge is drawn anew at the window's own resolution.
 
+// How the picture becomes the window's: a pipeline each, for a driver may compile a shader anew for every
+// value of a uniform that it branches by.
+override FIT: u32;
+const AS_IT_IS: u32 = 0u;
+const FROM_TWO_BY_TWO: u32 = 1u;
+const ENLARGED: u32 = 2u;
+const ENLARGED_SHADOW: u32 = 3u;
+const ENLARGED_SPHERE: u32 = 4u;
+// Whether the window's format leaves it to the shader to encode sRGB.
+override ENCODE: bool;
+
 struct Present {
     // Width and height of the picture, its own pixels.
     picture: vec2<u32>,
-    // Whose edge is drawn anew: NO_EDGE, SHADOW or SPHERE.
-    edge: u32,
-    // Column of the window's pixels in which the divider stands; NO_DIVIDER for none.
+    // Column of the window's pixels in which the divider stands; beyond the window for none.
     divider: u32,
-    // 1 where the window's format does not encode sRGB itself.
-    encode: u32,
 }
-
-const NO_EDGE: u32 = 0u;
-const SHADOW: u32 = 1u;
-const SPHERE: u32 = 2u;
-const NO_DIVIDER: u32 = 0xffffffffu;
 
 // The window as a picture of its own.
 @group(0) @binding(1) var<uniform> present: Present;
@@ -41,7 +43,7 @@ fn sees_sky(pixel: vec2<u32>) -> f32 {
     let p = length(d.xy);
     // The angle from the edge outwards, rad, near the edge.
     var outwards = 0.0;
-    if present.edge == SPHERE {
+    if FIT == ENLARGED_SPHERE {
         outwards = select(10.0, (p - frame.u) / max(frame.lapse, 1e-6), c > 0.0);
     } else {
         let x = edge_coordinate(c, p, Edge(frame.edge.x, frame.edge.y));
@@ -62,7 +64,7 @@ fn enlarged(pixel: vec2<u32>, ratio: vec2<f32>) -> vec3<f32> {
     let top = mix(texel(first), texel(first + vec2(1, 0)), t.x);
     let bottom = mix(texel(first + vec2(0, 1)), texel(first + vec2(1, 1)), t.x);
     let mean = mix(top, bottom, t.y);
-    if present.edge == NO_EDGE {
+    if FIT == ENLARGED {
         return mean.rgb;
     }
     // The light of the sky alone, not darkened by the shadow beside it.
@@ -70,10 +72,10 @@ fn enlarged(pixel: vec2<u32>, ratio: vec2<f32>) -> vec3<f32> {
 }
 
 fn light(pixel: vec2<u32>) -> vec3<f32> {
-    if all(present.picture == frame.size) {
+    if FIT == AS_IT_IS {
         return texel(vec2<i32>(pixel)).rgb;
     }
-    if all(present.picture == 2u * frame.size) {
+    if FIT == FROM_TWO_BY_TWO {
         let first = vec2<i32>(2u * pixel);
         return 0.25 * (texel(first) + texel(first + vec2(1, 0)) + texel(first + vec2(0, 1))
             + texel(first + vec2(1, 1))).rgb;
@@ -92,10 +94,8 @@ fn srgb_from_linear(linear: vec3<f32>) -> vec3<f32> {
 fn shade(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let pixel = vec2<u32>(position.xy);
     var shown = light(pixel);
-    if pixel.x == present.divider {
-        shown = vec3(1.0, 0.6, 0.1);
-    }
-    if present.encode == 1u {
+    shown = select(shown, vec3(1.0, 0.6, 0.1), pixel.x == present.divider);
+    if ENCODE {
         shown = srgb_from_linear(shown);
     }
     return vec4(shown, 1.0);

@@ -50,7 +50,7 @@ pub fn run(options: Options) -> Result<(), WindowError> {
     super::row(&settings, &options.table, &options.table_name)?;
     let events = EventLoop::with_user_event()
         .build()
-        .map_err(|e| WindowError::NoScreen(e.to_string()))?;
+        .map_err(|e| WindowError::no_screen(&e))?;
     let mut app = App {
         proxy: events.create_proxy(),
         start: Some((options, sky)),

@@ -53,6 +53,15 @@ pub enum WindowError {
     },
 }
 
+impl WindowError {
+    /// Of what the window system says, without the place in its source that it adds.
+    fn no_screen(error: &impl ToString) -> Self {
+        let text = error.to_string();
+        let reason = text.rsplit(": ").next().unwrap_or(&text);
+        WindowError::NoScreen(reason.trim_end_matches('.').to_owned())
+    }
+}
+
 /// The row with which a table serves the camera at the start: of the shape of all its rows.
 fn row(settings: &Settings, table: &Table, name: &str) -> Result<Row, WindowError> {
     match plan::Plan::new(settings, table, [1, 1], 1.0) {

@@ -102,11 +102,12 @@ impl Panel {
         response.consumed
     }
 
-    /// Lays the panel out, in which the user may change the settings. Returns what to paint, what else
+    /// Lays the panel out in a frame of `size` pixels, in which the user may change the settings. Returns what to paint, what else
     /// is wanted, and when the panel wants to be painted next.
     pub fn lay_out(
         &mut self,
         window: &Window,
+        size: [u32; 2],
         settings: &mut Settings,
         facts: &Facts,
     ) -> (Paint<'_>, Wish, Duration) {
@@ -143,13 +144,12 @@ impl Panel {
         self.state
             .handle_platform_output(window, output.platform_output);
         let scale = output.pixels_per_point;
-        let size = window.inner_size();
         let paint = Paint {
             renderer: &mut self.renderer,
             primitives: self.context.tessellate(output.shapes, scale),
             textures: output.textures_delta,
             screen: ScreenDescriptor {
-                size_in_pixels: [size.width, size.height],
+                size_in_pixels: size,
                 pixels_per_point: scale,
             },
         };

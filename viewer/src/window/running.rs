@@ -71,7 +71,7 @@ impl Running {
             .with_fullscreen(options.fullscreen.then_some(Fullscreen::Borderless(None)));
         let window = events
             .create_window(attributes)
-            .map_err(|e| WindowError::NoScreen(e.to_string()))?;
+            .map_err(|e| WindowError::no_screen(&e))?;
         let window = Arc::new(window);
         let settings = Settings::new(options.view, options.step);
         let row = super::row(&settings, &options.table, &options.table_name)?;
@@ -118,16 +118,15 @@ impl Running {
         events: &ActiveEventLoop,
         event: WindowEvent,
     ) -> Result<(), WindowError> {
+        if event == WindowEvent::RedrawRequested {
+            return self.frame();
+        }
         if self.panel.takes(&self.window, &event) {
             return Ok(());
         }
         match event {
             WindowEvent::CloseRequested => events.exit(),
-            WindowEvent::RedrawRequested => self.frame()?,
-            WindowEvent::Resized(_) | WindowEvent::ScaleFactorChanged { .. } => {
-                self.stage.resize();
-                self.redraw();
-            }
+            WindowEvent::Resized(_) | WindowEvent::ScaleFactorChanged { .. } => self.redraw(),
             WindowEvent::DroppedFile(path) => {
                 self.panel.say(format!("reading {} …", path.display()));
                 files::read(path, self.proxy.clone());
@@ -270,7 +269,10 @@ impl Running {
         self.name_window();
         let facts = self.facts(&plan);
         let before = self.settings.clone();
-        let laid_out = self.panel.lay_out(&self.window, &mut self.settings, &facts);
+        let size = [plan.window.width, plan.window.height];
+        let laid_out = self
+            .panel
+            .lay_out(&self.window, size, &mut self.settings, &facts);
         let (mut paint, wish, again) = laid_out;
         let shown = self.stage.show(&plan, &mut paint)?;
         self.fulfil(wish);
@@ -304,7 +306,7 @@ impl Running {
 
     /// What the next frame draws; nothing while there is no window to draw on.
     fn plan(&mut self) -> Option<Plan> {
-        let window = self.stage.size()?;
+        let window = self.stage.fit()?;
         let scale = self
             .stage
             .fitting(self.settings.resolution.scale(&self.auto));

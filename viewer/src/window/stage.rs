@@ -86,12 +86,25 @@ impl Stage {
         self.config.format
     }
 
-    /// The window's size, pixels; none when it has no pixels, as when minimised.
-    pub fn size(&self) -> Option<[u32; 2]> {
+    /// Takes over the window's size and returns it, pixels; none when it has no pixels, as when
+    /// minimised. Everything in a frame goes by this size, for the window's own may change meanwhile.
+    pub fn fit(&mut self) -> Option<[u32; 2]> {
         let most = self.gpu.device.limits().max_texture_dimension_2d;
         let size = self.window.inner_size();
-        let size = [size.width.min(most), size.height.min(most)];
-        (!size.contains(&0)).then_some(size)
+        let (width, height) = (size.width.min(most), size.height.min(most));
+        if width == 0 || height == 0 {
+            return None;
+        }
+        if (width, height) != (self.config.width, self.config.height) {
+            self.config.width = width;
+            self.config.height = height;
+            self.configure();
+        }
+        Some([width, height])
+    }
+
+    fn configure(&mut self) {
+        self.surface.configure(&self.gpu.device, &self.config);
     }
 
     /// `scale`, or the largest at which a picture of the window fits on the device.
@@ -99,15 +112,6 @@ impl Stage {
         let most = self.gpu.device.limits().max_texture_dimension_2d;
         let side = self.config.width.max(self.config.height);
         scale.min(f64::from(most / side))
-    }
-
-    /// Takes over the window's new size.
-    pub fn resize(&mut self) {
-        if let Some([width, height]) = self.size() {
-            self.config.width = width;
-            self.config.height = height;
-            self.surface.configure(&self.gpu.device, &self.config);
-        }
     }
 
     /// Puts a sky on the device.
@@ -162,13 +166,13 @@ impl Stage {
                 frame
             }
             CurrentSurfaceTexture::Outdated => {
-                self.resize();
+                self.configure();
                 self.window.request_redraw();
                 return Ok(Shown::NotNow);
             }
             CurrentSurfaceTexture::Lost => {
                 self.surface = self.gpu.surface(self.window.clone())?;
-                self.resize();
+                self.configure();
                 self.window.request_redraw();
                 return Ok(Shown::NotNow);
             }
@@ -176,6 +180,10 @@ impl Stage {
             | CurrentSurfaceTexture::Occluded
             | CurrentSurfaceTexture::Validation => return Ok(Shown::NotNow),
         };
+        let on_screen = [frame.texture.width(), frame.texture.height()];
+        if on_screen != [plan.window.width, plan.window.height] {
+            return Ok(Shown::NotNow);
+        }
         let timed = self.draw(plan);
         let view = frame.texture.create_view(&Default::default());
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());

@@ -1,0 +1,206 @@
+//! The benchmark as a table to read, and as CSV and JSON to go on with.
+
+use super::{Bench, Entry, METHODS};
+use crate::scene::Method;
+use lensbake_report::csv::quoted;
+use serde::Serialize;
+use std::f64::consts::PI;
+
+/// What a method is called.
+pub fn name(method: Method) -> String {
+    match method {
+        Method::Flat => "flat".into(),
+        Method::Lut => "lut".into(),
+        // A ray that is hardly bent turns by about π.
+        Method::Direct { step } => format!("direct {:.0} steps", PI / step),
+    }
+}
+
+/// The table for a terminal.
+pub fn text(bench: &Bench) -> String {
+    let mut lines = vec![
+        format!(
+            "{}{}",
+            bench.adapter,
+            if bench.software {
+                ": software, its times are no GPU's"
+            } else {
+                ""
+            }
+        ),
+        format!(
+            "{:>10}  {:<16} {:>9} {:>9} {:>9} {:>9} {:>8}  {:>8}",
+            "size", "method", "fps", "least fps", "T_ray", "by wall", "/ flat", "error px"
+        ),
+    ];
+    lines.extend(bench.rows().map(|row| {
+        let gpu = row
+            .gpu_ns_a_ray
+            .map_or("–".into(), |ns| format!("{ns:.2} ns"));
+        format!(
+            "{:>10}  {:<16} {:>9.2} {:>9.2} {:>9} {:>9} {:>8.2}  {:>8.1e}",
+            format!("{}x{}", row.width, row.height),
+            row.method,
+            row.average_fps,
+            row.minimum_fps,
+            gpu,
+            format!("{:.2} ns", row.wall_ns_a_ray),
+            row.over_flat,
+            row.error_px,
+        )
+    }));
+    lines.extend(bench.sizes().map(|(width, height)| {
+        let ns = |method| bench.entry((width, height), method).measured.ns_a_ray();
+        let (flat, lut) = (ns(METHODS[0]), ns(METHODS[1]));
+        format!(
+            "{width}x{height}: lut / flat {:.2}, {} / lut {:.2}",
+            lut / flat,
+            name(METHODS[METHODS.len() - 1]),
+            ns(METHODS[METHODS.len() - 1]) / lut,
+        )
+    }));
+    lines.into_iter().map(|line| line + "\n").collect()
+}
+
+/// One line a method and size, with a head line. A clock that the adapter lacks leaves its field empty.
+pub fn csv(bench: &Bench) -> String {
+    const HEAD: &str = "width,height,method,frames,average_fps,minimum_fps,gpu_ns_a_ray,\
+                        wall_ns_a_ray,wall_spread,over_flat,error_px,adapter";
+    let lines = bench.rows().map(|row| {
+        format!(
+            "{},{},{},{},{:.3},{:.3},{},{:.4},{:.4},{:.4},{:.4e},{}",
+            row.width,
+            row.height,
+            quoted(&row.method),
+            row.frames,
+            row.average_fps,
+            row.minimum_fps,
+            row.gpu_ns_a_ray
+                .map_or(String::new(), |ns| format!("{ns:.4}")),
+            row.wall_ns_a_ray,
+            row.wall_spread,
+            row.over_flat,
+            row.error_px,
+            quoted(&bench.adapter),
+        )
+    });
+    std::iter::once(HEAD.to_owned())
+        .chain(lines)
+        .map(|line| line + "\n")
+        .collect()
+}
+
+/// The same as a JSON object.
+///
+/// # Errors
+/// [`serde_json::Error`], which no benchmark brings about.
+pub fn json(bench: &Bench) -> serde_json::Result<String> {
+    #[derive(Serialize)]
+    struct All<'a> {
+        adapter: &'a str,
+        software: bool,
+        entries: Vec<Row>,
+    }
+    let all = All {
+        adapter: &bench.adapter,
+        software: bench.software,
+        entries: bench.rows().collect(),
+    };
+    serde_json::to_string_pretty(&all).map(|text| text + "\n")
+}
+
+/// One line of it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Row {
+    width: u32,
+    height: u32,
+    method: String,
+    frames: usize,
+    average_fps: f64,
+    minimum_fps: f64,
+    gpu_ns_a_ray: Option<f64>,
+    wall_ns_a_ray: f64,
+    wall_spread: f64,
+    over_flat: f64,
+    error_px: f64,
+}
+
+impl Bench {
+    fn sizes(&self) -> impl Iterator<Item = (u32, u32)> {
+        self.entries
+            .iter()
+            .step_by(METHODS.len())
+            .map(|entry| entry.size)
+    }
+
+    fn entry(&self, size: (u32, u32), method: Method) -> &Entry {
+        let mut all = self.entries.iter();
+        all.find(|entry| entry.size == size && entry.method == method)
+            .expect("every method is measured at every size")
+    }
+
+    fn rows(&self) -> impl Iterator<Item = Row> {
+        self.entries.iter().enumerate().map(|(i, entry)| {
+            let measured = entry.measured;
+            let flat = self.entry(entry.size, Method::Flat).measured.ns_a_ray();
+            Row {
+                width: entry.size.0,
+                height: entry.size.1,
+                method: name(entry.method),
+                frames: measured.frames,
+                average_fps: measured.average_fps,
+                minimum_fps: measured.minimum_fps,
+                gpu_ns_a_ray: measured.gpu_ns_a_ray,
+                wall_ns_a_ray: measured.wall_ns_a_ray,
+                wall_spread: measured.wall_spread,
+                over_flat: measured.ns_a_ray() / flat,
+                error_px: self.errors[i % METHODS.len()],
+            }
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bench::Measured;
+
+    fn bench(gpu_ns_a_ray: Option<f64>) -> Bench {
+        let entry = |method| Entry {
+            size: (4, 3),
+            method,
+            measured: Measured {
+                frames: 2,
+                average_fps: 50.0,
+                minimum_fps: 40.0,
+                gpu_ns_a_ray,
+                wall_ns_a_ray: 7.0,
+                wall_spread: 0.1,
+            },
+        };
+        Bench {
+            adapter: "an adapter, named".into(),
+            software: true,
+            errors: vec![0.5; METHODS.len()],
+            entries: METHODS.map(entry).into(),
+        }
+    }
+
+    #[test]
+    fn all_three_hold_every_method() {
+        for bench in [bench(None), bench(Some(6.0))] {
+            let csv = csv(&bench);
+            assert_eq!(csv.lines().count(), 1 + METHODS.len());
+            let fields = |line: &str| line.replace("adapter, named", "").split(',').count();
+            assert!(csv.lines().all(|line| fields(line) == 12), "{csv}");
+            let json: serde_json::Value = serde_json::from_str(&json(&bench).unwrap()).unwrap();
+            assert_eq!(json["entries"].as_array().unwrap().len(), METHODS.len());
+            assert_eq!(json["entries"][1]["method"], "lut");
+            let text = text(&bench);
+            assert!(
+                METHODS.iter().all(|&method| text.contains(&name(method))),
+                "{text}"
+            );
+        }
+    }
+}

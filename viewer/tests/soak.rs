@@ -1,0 +1,182 @@
+//! Random keys, drags, resizes and dropped files, good and bad, for a while: the window stays alive, says
+//! nothing of a panic and does not grow. Half a minute, or `LENSBAKE_SOAK_S` seconds.
+#![cfg(target_os = "linux")]
+
+use fastrand::Rng;
+use lensbake_tests::desktop::{Desktop, WindowedProgram};
+use lensbake_tests::{coarse_atlas, one_row};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+const USUAL_S: u64 = 30;
+/// Before memory is measured, until allocators and drivers have the room that they keep.
+const WARM_UP: Duration = Duration::from_secs(30);
+/// The part by which memory may grow.
+const GROWTH: f64 = 0.05;
+/// All keys but the one that ends the program.
+const KEYS: [&str; 17] = [
+    "r",
+    "z",
+    "l",
+    "m",
+    "bracketleft",
+    "bracketright",
+    "x",
+    "equal",
+    "minus",
+    "Home",
+    "f",
+    "p",
+    "Tab",
+    "h",
+    "F1",
+    "q",
+    "space",
+];
+const HELD: [&str; 8] = ["w", "a", "s", "d", "Up", "Down", "Left", "Right"];
+const SIZES: [(u32, u32); 7] = [
+    (640, 360),
+    (1, 1),
+    (2, 700),
+    (1200, 3),
+    (321, 457),
+    (1000, 600),
+    (64, 64),
+];
+
+/// Files to drop: skies, tables, and what is neither.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let file = |name: &str| folder.join(name);
+    let picture = |width, height| {
+        image::RgbImage::from_fn(width, height, |x, y| image::Rgb([x as u8, y as u8, 90]))
+    };
+    picture(256, 128).save(file("panorama.png")).unwrap();
+    picture(100, 100).save(file("square.png")).unwrap();
+    std::fs::write(file("text.jpg"), "no picture at all").unwrap();
+    std::fs::write(file("empty.png"), "").unwrap();
+    let table = |name: &str, table| lensbake_tables::container::write(&file(name), &table).unwrap();
+    table("coarse.lbt", coarse_atlas());
+    table("coarse.exr", coarse_atlas());
+    table("r10.lbt", one_row(10.0));
+    let whole = std::fs::read(file("coarse.lbt")).unwrap();
+    std::fs::write(file("cut.lbt"), &whole[..whole.len() / 2]).unwrap();
+    let mut flipped = whole.clone();
+    flipped[whole.len() - 9] ^= 0x40;
+    std::fs::write(file("flipped.lbt"), flipped).unwrap();
+    let png = std::fs::read(file("panorama.png")).unwrap();
+    std::fs::write(file("cut.png"), &png[..png.len() / 2]).unwrap();
+    std::fs::create_dir(file("folder")).unwrap();
+    let mut all: Vec<PathBuf> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .collect();
+    all.sort();
+    all
+}
+
+/// Does one thing at random.
+fn stir(window: &mut WindowedProgram, files: &[PathBuf], rng: &mut Rng) {
+    window.still_runs("the soak is over");
+    let (x, y) = (rng.u32(0..640).to_string(), rng.u32(0..360).to_string());
+    match rng.u32(0..20) {
+        0 => {
+            let (width, height) = SIZES[rng.usize(..SIZES.len())];
+            window.resize(width, height);
+        }
+        1 | 2 => window.drop_file(&files[rng.usize(..files.len())]),
+        3 => {
+            window.hide();
+            window.unhide();
+        }
+        4 => window.scroll(rng.i32(-20..20)),
+        5 => {
+            let button = ["1", "3"][rng.usize(..2)];
+            window.xdotool(&["mousedown", button, "mousemove", &x, &y, "mouseup", button]);
+        }
+        6 => window.xdotool(&["mousemove", &x, &y, "click", "1"]),
+        7..10 => {
+            let time = Duration::from_millis(rng.u64(0..200));
+            window.hold(HELD[rng.usize(..HELD.len())], time);
+        }
+        _ => window.press(&[KEYS[rng.usize(..KEYS.len())]]),
+    }
+}
+
+/// Brings the window to one and the same state, and returns its memory there.
+fn settled_memory(window: &mut WindowedProgram, files: &[PathBuf]) -> u64 {
+    window.resize(640, 360);
+    let panorama = files.iter().find(|f| f.ends_with("panorama.png")).unwrap();
+    let table = files.iter().find(|f| f.ends_with("coarse.lbt")).unwrap();
+    window.drop_file(table);
+    window.drop_file(panorama);
+    window.press(&["Home"]);
+    window.until("the panorama is shown", |w| {
+        let title = w.title();
+        (title.contains("panorama.png") && title.contains("r = 25.00")).then_some(())
+    });
+    window.at_rest();
+    window.memory()
+}
+
+#[test]
+#[cfg_attr(any(feature = "no-gpu", feature = "no-window"), ignore)]
+fn the_window_stays_alive_and_does_not_grow() {
+    let seconds = std::env::var("LENSBAKE_SOAK_S");
+    let seconds = seconds.map_or(USUAL_S, |s| s.parse().expect("LENSBAKE_SOAK_S in seconds"));
+    let folder = tempfile::tempdir().unwrap();
+    let pictures = tempfile::tempdir().unwrap();
+    let files = files(folder.path());
+    let desktop = Desktop::new(1280, 800);
+    let viewer = env!("CARGO_BIN_EXE_viewer");
+    let mut window = desktop.start(viewer, &["--size", "640x360"], pictures.path());
+    window.shows("a picture", |shot| shot.pixels.iter().any(|p| *p != [0; 3]));
+
+    // All that is made once is made before memory is measured: skies, pipelines, the largest pictures.
+    for keys in [
+        ["z", "z", "z"],
+        ["m", "m", "m"],
+        ["l", "l", "m"],
+        ["h", "h", "p"],
+    ] {
+        window.press(&keys);
+        window.at_rest();
+    }
+    window.resize(1000, 600);
+    for _ in 0..5 {
+        window.press(&["x"]);
+        window.at_rest();
+    }
+    let mut rng = Rng::with_seed(7);
+    let mut stir_for = |window: &mut WindowedProgram, time: Duration| {
+        let start = Instant::now();
+        let mut events = 0;
+        while start.elapsed() < time {
+            stir(window, &files, &mut rng);
+            events += 1;
+        }
+        (events, settled_memory(window, &files))
+    };
+    let (_, before) = stir_for(&mut window, WARM_UP);
+    println!("after the warm-up: {:.1} MB", 1e-6 * before as f64);
+    let quarter = Duration::from_secs(seconds) / 4;
+    let (mut stirred, mut after) = (0, before);
+    for _ in 0..4 {
+        let (events, memory) = stir_for(&mut window, quarter);
+        stirred += events;
+        after = memory;
+        println!("after {stirred} events: {:.1} MB", 1e-6 * memory as f64);
+    }
+    let growth = after as f64 / before as f64 - 1.0;
+    println!("{seconds} s: memory {:+.1} %", 100.0 * growth);
+    let stderr = window.stderr();
+    assert!(!stderr.contains("panicked"), "{stderr}");
+    assert!(growth <= GROWTH, "memory grew by {:.1} %", 100.0 * growth);
+    assert!(stirred > seconds, "only {stirred} events");
+
+    window.press(&["Escape"]);
+    if window.is_alive_after(Duration::from_millis(500)) {
+        // The help was open, or the window filled the screen.
+        window.press(&["Escape", "Escape"]);
+    }
+    assert_eq!(window.ends().0, 0);
+}
