@@ -185,6 +185,9 @@ pub struct ReferenceArgs {
     /// Size of the pictures.
     #[arg(long, value_name = "WxH", default_value = "640x360", value_parser = size)]
     pub size: (u32, u32),
+    /// Measure what filtering costs at 1920x1080 instead; writes nothing.
+    #[arg(long)]
+    pub cost: bool,
     /// Rays along the side of a pixel of the reference.
     #[arg(long, value_name = "N", default_value_t = 32, value_parser = clap::value_parser!(u32).range(2..=64))]
     pub rays: u32,

@@ -142,10 +142,9 @@ fn format_of(path: &Path) -> Result<ImageFormat, PictureError> {
     }
 }
 
-/// The sRGB transfer function (IEC 61966-2-1) of linear light, which is clamped to 0 … 1; NaN is 0.
+/// The sRGB transfer function (IEC 61966-2-1) of linear light, which is clamped to 0 … 1.
 pub fn srgb_from_linear(linear: f32) -> f32 {
-    // `max` and `min` rather than `clamp`, because they turn NaN into 0.
-    let linear = linear.max(0.0).min(1.0);
+    let linear = linear.clamp(0.0, 1.0);
     if linear <= 0.003_130_8 {
         12.92 * linear
     } else {
@@ -172,7 +171,7 @@ mod tests {
                 "{linear}"
             );
         }
-        assert_eq!(srgb_from_linear(f32::NAN), 0.0);
+        assert_eq!(Picture::new(1, 1, vec![[f32::NAN; 3]]).srgb(0.0), [[0; 3]]);
     }
 
     #[test]

@@ -32,6 +32,30 @@ fn render_draws_without_a_gpu_and_writes_both_kinds_of_picture() {
 }
 
 #[test]
+fn filtering_counts_its_extra_rays_and_exposure_is_for_the_screen_alone() {
+    let folder = folder();
+    let draw = |name: &str, more: &[&str]| {
+        let file = path(&folder, name);
+        let scene = ["render", "--device", "cpu", "--size", "64x36", "-s", "grid"];
+        let run = VIEWER.run(&[&scene[..], &["-r", "4", "-o", &file], more].concat());
+        (run.succeeds(), std::fs::read(file).unwrap())
+    };
+    let (filtered, light) = draw("filtered.exr", &[]);
+    assert!(filtered.stderr.contains("extra rays"), "{filtered:?}");
+    let (single, other) = draw("single.exr", &["--sampling", "single"]);
+    assert!(!single.stderr.contains("extra rays"), "{single:?}");
+    assert_ne!(light, other);
+    let brighter = ["--exposure", "1.5"];
+    assert_eq!(draw("brighter.exr", &brighter).1, light);
+    assert_ne!(draw("a.png", &[]).1, draw("b.png", &brighter).1);
+    for exposure in ["NaN", "inf", "33", "-40", "much"] {
+        VIEWER
+            .run(&["render", "-o", "never.png", "--exposure", exposure])
+            .refuses(&["--exposure", exposure, "from -32 to 32"]);
+    }
+}
+
+#[test]
 fn render_takes_a_panorama_and_six_faces() {
     let folder = folder();
     let panorama = path(&folder, "sky.jpg");

@@ -7,7 +7,7 @@ mod plane;
 mod timing;
 
 pub use contenders::{Contender, Family, contenders};
-pub use timing::FrameTimes;
+pub use timing::{FrameTimes, interleaved};
 
 use crate::diff::{Reference, TraceStatistics};
 use crate::gpu::{Gpu, GpuError, Output, Prepared, Renderer};
@@ -114,7 +114,7 @@ pub fn measure(
         .map(|contender| renderer.prepare(&contender.scene, Output::Picture))
         .collect();
     let rays = scene.camera.pixels();
-    let times = timing::interleaved(gpu, &prepared, rays, effort.rounds, step)?;
+    let times = interleaved(gpu, &prepared, rays, effort.rounds, step)?;
     let measured = contenders.into_iter().zip(times).zip(errors);
     Ok(Chart {
         adapter: gpu.name(),

@@ -7,7 +7,7 @@ use lensbake_tables::container::write_whole;
 use std::fs;
 use std::io::{self, Write};
 use viewer::gpu::{Gpu, Renderer};
-use viewer::reference::{cases, csv, figure, study};
+use viewer::reference::{cases, cost, csv, figure, study};
 use viewer::sky::{self, SkySource};
 
 const SKIES: [(&str, SkySource); 3] = [
@@ -20,6 +20,9 @@ pub fn run(args: &ReferenceArgs) -> Result<Outcome, CommandError> {
     let folder = |error| CommandError::Folder(args.output.clone(), error);
     let (width, height) = args.size;
     let gpu = Gpu::open()?;
+    if args.cost {
+        return print_costs(&gpu);
+    }
     fs::create_dir_all(&args.output).map_err(folder)?;
     let mut table = csv::HEAD.to_owned();
     let mut outcome = Outcome::Done;
@@ -54,4 +57,15 @@ pub fn run(args: &ReferenceArgs) -> Result<Outcome, CommandError> {
         args.output.display()
     );
     Ok(outcome)
+}
+
+/// The cost at the radius of the default view, and at those of the seed report.
+fn print_costs(gpu: &Gpu) -> Result<Outcome, CommandError> {
+    let renderer = Renderer::new(gpu, &sky::load(&SkySource::Nebula)?)?;
+    for radius in [25.0, 50.0, 10.0, 5.0, 2.0] {
+        let cost = cost(&renderer, radius, (1920, 1080))?;
+        writeln!(io::stdout(), "{cost}").map_err(CommandError::Stdout)?;
+    }
+    eprintln!("measured on {}", gpu.name());
+    Ok(Outcome::Done)
 }

@@ -45,7 +45,7 @@ pub fn append_lists(
     Need::ALL.map(|need| {
         let first = blocks.len() as u32;
         let listed = (0..).zip(&needs).filter(|&(_, &n)| n == need);
-        blocks.extend(listed.map(|(i, _): (u32, _)| i % columns | i / columns << 16));
+        blocks.extend(listed.map(|(i, _): (u32, _)| (i % columns) | ((i / columns) << 16)));
         let rows = (blocks.len() as u32 - first).div_ceil(LIST_WIDTH);
         blocks.resize((first + rows * LIST_WIDTH) as usize, NONE);
         List { first, rows }

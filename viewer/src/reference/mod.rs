@@ -4,11 +4,13 @@
 //! It shares nothing with the filtered picture but camera and sky: no table, no slope, no mip level, no
 //! formula for the edge.
 
+mod cost;
 pub mod csv;
 mod error;
 pub mod figure;
 mod study;
 
+pub use cost::{Cost, cost};
 pub use error::{BESIDE_EDGE, MeanError, PictureError};
 pub use study::{Case, Entry, Study, StudyError, cases, study};
 
