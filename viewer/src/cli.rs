@@ -219,6 +219,9 @@ pub struct WindowArgs {
     /// What it shows at the start.
     #[command(flatten)]
     pub view: ViewArgs,
+    /// The stars before its skies.
+    #[command(flatten)]
+    pub stars: StarArgs,
 }
 
 /// Where the camera is, how it looks, and at what.

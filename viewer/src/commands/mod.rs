@@ -110,17 +110,20 @@ fn scene(args: &SceneArgs, method: Method) -> Result<Scene, CommandError> {
 /// The stars asked for, if any: the sky `stars` has those of Hipparcos unless others are named.
 fn star_field(args: &StarArgs, sky: &SkySource) -> Result<Option<StarField>, CommandError> {
     let built_in = (*sky == SkySource::Stars).then_some(StarSource::Hipparcos);
-    let Some(source) = args.stars.clone().or(built_in) else {
-        return Ok(None);
-    };
-    let mut field = StarField::new(&stars::load(&source)?, args.star_exposure);
+    let source = args.stars.clone().or(built_in);
+    source.map(|source| stars_of(args, &source)).transpose()
+}
+
+/// The stars of a source, as bright and as large as the arguments say.
+fn stars_of(args: &StarArgs, source: &StarSource) -> Result<StarField, CommandError> {
+    let mut field = StarField::new(&stars::load(source)?, args.star_exposure);
     if let Some(radius) = args.star_radius {
         if !(radius > 0.0 && radius <= MAX_DISC_RADIUS) {
             return Err(CommandError::StarRadius(radius));
         }
         field.disc_radius = radius;
     }
-    Ok(Some(field))
+    Ok(field)
 }
 
 /// The table that the arguments name, and what it is called.

@@ -3,6 +3,7 @@
 
 use super::{Canvas, Output, Passes, Program, Renderer, Store, Target, Tile, band_pixels};
 use crate::scene::{Method, Sampling, Scene};
+use crate::stars::StarField;
 use lensbake_tables::Row;
 use wgpu::*;
 
@@ -96,9 +97,19 @@ impl Live {
         if shape(row) == shape(&self.row) {
             return;
         }
-        self.programs = Programs::new(&self.renderer, row, &self.steps);
-        self.canvas = Canvas::on_texture(&self.renderer, row, self.room);
         self.row = row.clone();
+        self.remake();
+    }
+
+    /// Draws the stars of `field` before the sky from now on, or none.
+    pub fn set_stars(&mut self, field: Option<&StarField>) {
+        self.renderer.set_stars(field);
+        self.remake();
+    }
+
+    fn remake(&mut self) {
+        self.programs = Programs::new(&self.renderer, &self.row, &self.steps);
+        self.canvas = Canvas::on_texture(&self.renderer, &self.row, self.room);
     }
 
     /// The texture that the frames are drawn to, of [`Live::room`] pixels; a smaller frame lies in its

@@ -3,6 +3,7 @@
 use super::renderer::{bind_group_layout, resource, texture_binding};
 use super::{Frame, Gpu, Live, Tile};
 use crate::camera::Camera;
+use crate::tone_map;
 use lensbake_tables::{Interpolation, lookup};
 use wgpu::*;
 
@@ -12,7 +13,7 @@ use wgpu::*;
 struct Present {
     picture: [u32; 2],
     divider: u32,
-    padding: u32,
+    exposure: f32,
 }
 
 const NO_DIVIDER: u32 = u32::MAX;
@@ -75,12 +76,14 @@ pub enum Edge {
 }
 
 /// How a picture is shown.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Showing {
     /// What becomes of the edge.
     pub edge: Edge,
     /// The window's column in which a divider stands.
     pub divider: Option<u32>,
+    /// How much brighter it is shown, in stops.
+    pub exposure: f32,
 }
 
 impl Presenter {
@@ -125,7 +128,7 @@ impl Presenter {
         let present = Present {
             picture,
             divider: showing.divider.unwrap_or(NO_DIVIDER),
-            padding: 0,
+            exposure: showing.exposure,
         };
         self.fit = Fit::of(picture, whole.count, showing.edge);
         self.queue
@@ -148,6 +151,7 @@ fn source() -> String {
         &lookup::wgsl_row(2, Interpolation::Hermite, 0, 3),
         lookup::WGSL,
         include_str!("../shaders/frame.wgsl"),
+        tone_map::WGSL,
         include_str!("../shaders/present.wgsl"),
     ]
     .join("\n")
@@ -248,7 +252,7 @@ mod tests {
             panic!("no struct");
         };
         let offsets: Vec<u32> = members.iter().map(|m| m.offset).collect();
-        assert_eq!(offsets, [0, 8]);
+        assert_eq!(offsets, [0, 8, 12]);
         assert_eq!(*span as usize, size_of::<Present>());
     }
 }

@@ -83,11 +83,14 @@ impl Renderer {
 
     /// The same renderer with the stars of `field` before its sky. They are seen by pipelines and canvases
     /// made from now on.
-    pub fn with_stars(self, field: &StarField) -> Self {
-        Renderer {
-            stars: Some(Arc::new(Stars::new(&self.gpu, field))),
-            ..self
-        }
+    pub fn with_stars(mut self, field: &StarField) -> Self {
+        self.set_stars(Some(field));
+        self
+    }
+
+    /// Has the stars of `field` before its sky, or none. Programs and canvases made before do not know.
+    pub(super) fn set_stars(&mut self, field: Option<&StarField>) {
+        self.stars = field.map(|field| Arc::new(Stars::new(&self.gpu, field)));
     }
 
     /// Puts another sky on the device.

@@ -5,6 +5,7 @@ use super::plan::Plan;
 use super::{WindowError, screenshot};
 use crate::gpu::{Gpu, GpuError, Lap, Live, Presenter, Renderer, SkyOnDevice, Stopwatch, Timed};
 use crate::sky::Sky;
+use crate::stars::StarField;
 use lensbake_tables::Row;
 use std::sync::Arc;
 use wgpu::*;
@@ -126,6 +127,13 @@ impl Stage {
     /// Draws before this sky from now on.
     pub fn set_sky(&mut self, sky: &SkyOnDevice) {
         self.live.renderer().set_sky(sky);
+        self.drawn = None;
+    }
+
+    /// Draws the stars of `field` before the sky from now on, or none.
+    pub fn set_stars(&mut self, field: Option<&StarField>) {
+        self.live.set_stars(field);
+        self.presenter.follow(&self.gpu, &self.live);
         self.drawn = None;
     }
 
