@@ -4,7 +4,7 @@
 // Distance of two taps at the most, in texels of their level.
 const SPACING: f32 = 1.5;
 // A footprint of less than this squared length in texels is one bilinear tap.
-const ONE_TAP_SQ: f32 = 2.0;
+const ONE_TAP_SQ: f32 = 2.5;
 const TURN: f32 = 6.2831855;
 
 // A patch of the picture: its unit view direction in the hole frame with cos θ = c and sin θ = p, the
