@@ -6,7 +6,10 @@ use crate::{Interpolation, Row, Texel};
 use lensbake_core::{Fate, Observer};
 
 /// The same lookup for a GPU. Needs before it the text of [`wgsl_row`].
-pub const WGSL: &str = include_str!("lookup.wgsl");
+pub const WGSL: &str = concat!(include_str!("arithmetic.wgsl"), include_str!("lookup.wgsl"));
+
+/// The part of [`WGSL`] that needs no row: `cubic`, `cos_sin` and `angle`.
+pub const ARITHMETIC_WGSL: &str = include_str!("arithmetic.wgsl");
 
 /// WGSL that declares the row as a 1-D texture of `texels` texels at the given binding, loads from
 /// it, and reads between two texels by `interpolation`: by hand, for hardware filters have 8-bit
@@ -101,15 +104,7 @@ impl GpuRow {
     /// Cubic Hermite at `position` in texels: the value and its derivative a texel.
     pub fn hermite(&self, position: f32) -> [f32; 2] {
         let i = (position as usize).min(self.texels.len() - 2);
-        let t = position - i as f32;
-        let ([a, slope_a], [b, slope_b]) = (self.texels[i], self.texels[i + 1]);
-        let rise = b - a;
-        let c2 = 3.0 * rise - 2.0 * slope_a - slope_b;
-        let c3 = slope_a + slope_b - 2.0 * rise;
-        [
-            a + t * (slope_a + t * (c2 + t * c3)),
-            slope_a + t * (2.0 * c2 + t * 3.0 * c3),
-        ]
+        cubic(self.texels[i], self.texels[i + 1], position - i as f32)
     }
 
     /// The bending in the direction with cos θ = `c` and sin θ = `p`.
@@ -134,6 +129,18 @@ impl GpuRow {
     }
 }
 
+/// The cubic that has the values and slopes of the texels `a` and `b` at t = 0 and 1: its value and its
+/// derivative at `t`.
+pub fn cubic([a, slope_a]: Texel, [b, slope_b]: Texel, t: f32) -> [f32; 2] {
+    let rise = b - a;
+    let c2 = 3.0 * rise - 2.0 * slope_a - slope_b;
+    let c3 = slope_a + slope_b - 2.0 * rise;
+    [
+        a + t * (slope_a + t * (c2 + t * c3)),
+        slope_a + t * (2.0 * c2 + t * 3.0 * c3),
+    ]
+}
+
 /// (cos, sin) of an angle in rad, to 1e-7 up to 100 turns: Cody and Waite's reduction to a quarter
 /// turn and the polynomials of Moshier's Cephes.
 pub fn cos_sin(angle: f32) -> [f32; 2] {
@@ -149,6 +156,24 @@ pub fn cos_sin(angle: f32) -> [f32; 2] {
         2 => [-cosine, -sine],
         _ => [sine, -cosine],
     }
+}
+
+/// The angle in [0, π] whose cosine and sine are in the ratio of `c` to `p` ≥ 0, to 2e-7: the reduction
+/// and the polynomial of Moshier's Cephes.
+pub fn angle(c: f32, p: f32) -> f32 {
+    use std::f32::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+    let a = c.abs();
+    let (base, x) = if p > 2.414_213_5 * a {
+        (FRAC_PI_2, -a / p)
+    } else if p > 0.414_213_57 * a {
+        (FRAC_PI_4, (p - a) / (p + a))
+    } else {
+        (0.0, p / a.max(1e-30))
+    };
+    let z = x * x;
+    let terms = -3.333_295e-1 + z * (1.997_771_1e-1 + z * (-1.387_768_5e-1 + z * 8.053_744_6e-2));
+    let first = base + (x + x * z * terms);
+    if c < 0.0 { PI - first } else { first }
 }
 
 /// (cos θ′, sin θ′) of the direction turned towards the hole, θ′ = θ − Δ.
@@ -169,6 +194,17 @@ mod tests {
             let (exact_sin, exact_cos) = f64::from(angle).sin_cos();
             assert!((f64::from(cos) - exact_cos).abs() < 1.5e-7, "cos {angle}");
             assert!((f64::from(sin) - exact_sin).abs() < 1.5e-7, "sin {angle}");
+        }
+    }
+
+    #[test]
+    fn angle_is_good_to_a_few_ulp() {
+        for i in 0..=40_000 {
+            let theta = std::f64::consts::PI * f64::from(i) / 40_000.0;
+            let (c, p) = (theta.cos() as f32, theta.sin().max(0.0) as f32);
+            let exact = f64::from(p).atan2(c.into());
+            let off = (f64::from(angle(c, p)) - exact).abs();
+            assert!(off < 3e-7, "{theta}: {off:e}");
         }
     }
 

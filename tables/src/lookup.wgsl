@@ -37,13 +37,7 @@ fn linear(position: f32) -> vec2<f32> {
 // Cubic Hermite at `position` in texels: the value and its derivative a texel.
 fn hermite(position: f32) -> vec2<f32> {
     let i = min(u32(position), ROW_LAST - 1u);
-    let t = position - f32(i);
-    let a = row_texel(i);
-    let b = row_texel(i + 1u);
-    let rise = b.x - a.x;
-    let c2 = 3.0 * rise - 2.0 * a.y - b.y;
-    let c3 = a.y + b.y - 2.0 * rise;
-    return vec2(a.x + t * (a.y + t * (c2 + t * c3)), a.y + t * (2.0 * c2 + t * 3.0 * c3));
+    return cubic(row_texel(i), row_texel(i + 1u), position - f32(i));
 }
 
 // The bending of a row on the residual axis, Δ = R(q) − (1 + weight·d) ln d with d = 1 − x and
@@ -63,23 +57,6 @@ fn bending(c: f32, p: f32, edge: Edge) -> Bending {
     let dx_dq = -4.0 * q * max(root, 1e-9);
     let by_x = r.y * f32(ROW_LAST) / dx_dq + edge.log_weight * ln + factor / d;
     return Bending(false, r.x - factor * ln, -by_x * x / max(p, 1e-30));
-}
-
-// (cos, sin) of an angle in rad, to 1e-7 up to 100 turns. The built-in pair need only be good to
-// 5e-4 on a Vulkan device, which is half a pixel.
-fn cos_sin(angle: f32) -> vec2<f32> {
-    let quarter = round(angle * 0.63661975);
-    // π/2 in three parts, the products of the first two exact: a device need not fuse an fma.
-    let r = ((angle - quarter * 1.5703125) - quarter * 4.837513e-4) - quarter * 7.54979e-8;
-    let r2 = r * r;
-    let sine = r + r * r2 * (-1.6666654e-1 + r2 * (8.332161e-3 + r2 * -1.9515296e-4));
-    let cosine = 1.0 - 0.5 * r2 + r2 * r2 * (4.1666646e-2 + r2 * (-1.3887316e-3 + r2 * 2.4433157e-5));
-    let turn = i32(quarter) & 3;
-    let swapped = select(vec2(cosine, sine), vec2(sine, cosine), (turn & 1) == 1);
-    return vec2(
-        select(swapped.x, -swapped.x, turn == 1 || turn == 2),
-        select(swapped.y, -swapped.y, turn >= 2),
-    );
 }
 
 // (cos θ′, sin θ′) of the direction turned towards the hole, θ′ = θ − Δ.

@@ -66,6 +66,7 @@ fn ask(gpu: &Gpu, questions: &[Question]) -> Vec<Answer> {
         Store::Buffer,
         64,
         Interpolation::Hermite,
+        false,
     );
     let source = [&filter, tone_map::WGSL, PROBE].join("\n");
     let module = device.create_shader_module(ShaderModuleDescriptor {

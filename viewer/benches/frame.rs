@@ -18,7 +18,7 @@ fn preparation(c: &mut Criterion) {
     let renderer = Renderer::new(&gpu, &sky::grid(64)).unwrap();
     let mut settings = Settings::new(View::default(), Method::DEFAULT_STEP);
     let plan = Plan::new(&settings, default_atlas(), WINDOW, 1.0).unwrap();
-    let mut live = Live::new(renderer, &plan.scene.row, WINDOW);
+    let mut live = Live::new(renderer, &plan.scene.row, WINDOW, &[settings.step]);
     let format = wgpu::TextureFormat::Bgra8Unorm;
     let mut presenter = Presenter::new(&gpu, &live, format);
     c.bench_function("prepare a frame with a new radius", |b| {

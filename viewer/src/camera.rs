@@ -181,23 +181,23 @@ impl Camera {
         self.ray(self.position(column, row)).normalize()
     }
 
+    /// Where in the picture `direction` in the hole frame is seen, in pixels from the top left corner, or
+    /// beyond its edges; `None` behind the camera.
+    pub fn project(&self, direction: DVec3) -> Option<DVec2> {
+        let ahead = direction.dot(self.forward);
+        let along = |step: DVec3, side: u32| {
+            direction.dot(step) / (ahead * step.length_squared()) + 0.5 * f64::from(side)
+        };
+        (ahead > 0.0)
+            .then(|| DVec2::new(along(self.right, self.width), along(self.down, self.height)))
+    }
+
     /// The pixel (column, row) that `direction` in the hole frame falls into, if the picture has it.
     pub fn pixel(&self, direction: DVec3) -> Option<(u32, u32)> {
-        let ahead = direction.dot(self.forward);
-        if ahead <= 0.0 {
-            return None;
-        }
-        let along = |step: DVec3, side: u32| {
-            let from_middle = direction.dot(step) / (ahead * step.length_squared());
-            let position = from_middle + 0.5 * f64::from(side);
-            (0.0..f64::from(side))
-                .contains(&position)
-                .then_some(position as u32)
-        };
-        Some((
-            along(self.right, self.width)?,
-            along(self.down, self.height)?,
-        ))
+        let position = self.project(direction)?;
+        let size = DVec2::new(self.width.into(), self.height.into());
+        let inside = position.cmpge(DVec2::ZERO).all() && position.cmplt(size).all();
+        inside.then_some((position.x as u32, position.y as u32))
     }
 
     /// |dθ/d pixel| at pixel (column, row), rad: the steepest change of the view angle.

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use viewer::camera::View;
 use viewer::scene::Method;
 use viewer::sky::SkySource;
+use viewer::stars::StarSource;
 use viewer::tone_map::EXPOSURES;
 
 /// Draw the sky as a black hole bends it: without a command, in a window.
@@ -36,6 +37,8 @@ pub enum Command {
     Bench(BenchArgs),
     /// Measure the filtered picture against many rays a pixel by direct integration.
     Reference(ReferenceArgs),
+    /// Turn the raw Hipparcos file, hip2.dat of CDS I/311, into the compact catalogue.
+    Catalogue(CatalogueArgs),
 }
 
 /// Options of `viewer render`.
@@ -68,6 +71,42 @@ pub struct RenderArgs {
     /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,
+    /// The stars before its sky.
+    #[command(flatten)]
+    pub stars: StarArgs,
+}
+
+/// Point stars.
+#[derive(Debug, Args)]
+pub struct StarArgs {
+    /// Stars before the sky: `hipparcos`, or a catalogue: CSV with the columns ra, dec (degrees, J2000),
+    /// mag and, if known, bv; or the compact format. `--sky stars` alone means hipparcos.
+    #[arg(long, value_name = "STARS", value_parser = stars)]
+    pub stars: Option<StarSource>,
+    /// Exposure of the stars: each stop doubles their light.
+    #[arg(
+        long,
+        value_name = "STOPS",
+        default_value_t = 0.0,
+        value_parser = stops,
+        allow_negative_numbers = true
+    )]
+    pub star_exposure: f64,
+    /// Angular radius of every star in rad, above 0 and at most 0.001, in place of the catalogue's: it
+    /// caps the magnification of a star behind the hole.
+    #[arg(long, value_name = "RAD", allow_negative_numbers = true)]
+    pub star_radius: Option<f64>,
+}
+
+/// Options of `viewer catalogue`.
+#[derive(Debug, Args)]
+pub struct CatalogueArgs {
+    /// The raw file.
+    #[arg(value_name = "RAW")]
+    pub raw: PathBuf,
+    /// Compact catalogue to write.
+    #[arg(short, long, value_name = "FILE", default_value = "hipparcos.stars")]
+    pub output: PathBuf,
 }
 
 /// Options of `viewer diff`.
@@ -180,6 +219,9 @@ pub struct WindowArgs {
     /// What it shows at the start.
     #[command(flatten)]
     pub view: ViewArgs,
+    /// The stars before its skies.
+    #[command(flatten)]
+    pub stars: StarArgs,
 }
 
 /// Where the camera is, how it looks, and at what.
@@ -231,7 +273,16 @@ pub struct ViewArgs {
         allow_negative_numbers = true
     )]
     pub latitude: f64,
-    /// Sky: `nebula`, `starmap`, `grid`, a panorama (2:1), or six cube faces separated by commas:
+    /// The hole's place on the sky: right ascension and declination, J2000.
+    #[arg(
+        long,
+        value_name = "RA,DEC",
+        value_parser = place,
+        conflicts_with_all = ["orbit", "latitude"],
+        allow_hyphen_values = true
+    )]
+    pub hole: Option<(f64, f64)>,
+    /// Sky: `nebula`, `starmap`, `grid`, `stars` (black, with the Hipparcos stars before it), a panorama (2:1), or six cube faces separated by commas:
     /// right,left,top,bottom,front,back. PNG, JPEG, HDR or EXR.
     #[arg(short, long, value_name = "SKY", default_value = "nebula", value_parser = sky)]
     pub sky: SkySource,
@@ -277,10 +328,15 @@ pub enum DeviceName {
 impl ViewArgs {
     /// The view asked for, in a picture of this size.
     pub fn view(&self, (width, height): (u32, u32)) -> View {
+        // Seen from the hole, the camera is opposite to where the hole is seen.
+        let (orbit_deg, latitude_deg) = match self.hole {
+            Some((right_ascension, declination)) => (right_ascension, -declination),
+            None => (self.orbit, self.latitude),
+        };
         View {
             radius: self.radius,
-            orbit_deg: self.orbit,
-            latitude_deg: self.latitude,
+            orbit_deg,
+            latitude_deg,
             yaw_deg: self.yaw,
             pitch_deg: self.pitch,
             roll_deg: self.roll,
@@ -307,14 +363,48 @@ fn size(text: &str) -> Result<(u32, u32), String> {
     parsed.ok_or_else(|| "must be like 1920x1080".to_owned())
 }
 
+fn place(text: &str) -> Result<(f64, f64), String> {
+    let parsed = text
+        .split_once(',')
+        .and_then(|(right_ascension, declination)| {
+            let right_ascension: f64 = right_ascension.trim().parse().ok()?;
+            Some((right_ascension, declination.trim().parse().ok()?))
+        });
+    parsed
+        .filter(|(ra, dec)| (-360.0..=360.0).contains(ra) && (-90.0..=90.0).contains(dec))
+        .ok_or_else(|| {
+            "must be two angles in degrees like 83.8,-5.4: right ascension and declination"
+                .to_owned()
+        })
+}
+
+fn stops(text: &str) -> Result<f64, String> {
+    let parsed = text.parse().ok().filter(|stops: &f64| stops.abs() <= 30.0);
+    parsed.ok_or_else(|| "must be a number of stops from -30 to 30".to_owned())
+}
+
+fn stars(text: &str) -> Result<StarSource, String> {
+    let path = PathBuf::from(text);
+    if text == "hipparcos" {
+        Ok(StarSource::Hipparcos)
+    } else if path.exists() {
+        Ok(StarSource::File(path))
+    } else {
+        Err("is neither a file nor the built-in catalogue hipparcos".to_owned())
+    }
+}
+
 fn sky(text: &str) -> Result<SkySource, String> {
     let files: Vec<PathBuf> = text.split(',').map(PathBuf::from).collect();
     Ok(match text {
         "nebula" => SkySource::Nebula,
         "starmap" => SkySource::Starmap,
         "grid" => SkySource::Grid,
+        "stars" => SkySource::Stars,
         _ if files.len() == 1 && !files[0].exists() => {
-            return Err("is neither a file nor a built-in sky (nebula, starmap, grid)".to_owned());
+            return Err(
+                "is neither a file nor a built-in sky (nebula, starmap, grid, stars)".to_owned(),
+            );
         }
         _ if files.len() == 1 => SkySource::Panorama(PathBuf::from(text)),
         _ => SkySource::Faces(<[PathBuf; 6]>::try_from(files).map_err(|files| {

@@ -21,5 +21,6 @@ pub mod reference;
 pub mod scene;
 pub mod shadow;
 pub mod sky;
+pub mod stars;
 pub mod tone_map;
 pub mod window;

@@ -19,6 +19,7 @@ fn main() -> ExitCode {
         Some(Command::Render(args)) => commands::render::run(&args),
         Some(Command::Chart(args)) => commands::chart::run(&args),
         Some(Command::Bench(args)) => commands::bench::run(&args),
+        Some(Command::Catalogue(args)) => commands::catalogue::run(&args),
         Some(Command::Diff(args)) => commands::diff::run(&args),
         Some(Command::Reference(args)) => commands::reference::run(&args),
     };

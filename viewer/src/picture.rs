@@ -63,6 +63,17 @@ impl Picture {
         &self.pixels
     }
 
+    /// Adds `light` to the pixel at (column, row).
+    ///
+    /// # Panics
+    /// If the picture has no such pixel.
+    pub fn add(&mut self, column: u32, row: u32, light: [f32; 3]) {
+        let pixel = &mut self.pixels[row as usize * self.width as usize + column as usize];
+        for (channel, more) in pixel.iter_mut().zip(light) {
+            *channel += more;
+        }
+    }
+
     /// The pixels as a screen shows them: tone mapped at an `exposure` in stops, sRGB, 8 bits a channel.
     pub fn srgb(&self, exposure: f32) -> Vec<[u8; 3]> {
         let shown = |&pixel: &[f32; 3]| tone_map(pixel.into(), exposure).to_array();

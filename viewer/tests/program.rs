@@ -154,7 +154,7 @@ fn skies_that_are_none_are_refused_in_one_line() {
     render(&square).refuses(&[&square, "twice as wide as high"]);
     let five = [pixel.as_str(); 5].join(",");
     render(&five).refuses(&["one panorama or six cube faces, not 5 files"]);
-    render("nebla").refuses(&["nebla", "built-in sky (nebula, starmap, grid)"]);
+    render("nebla").refuses(&["nebla", "built-in sky (nebula, starmap, grid, stars)"]);
     render(folder.path().to_str().unwrap()).refuses(&[folder.path().to_str().unwrap()]);
     assert!(!Path::new(&out).exists());
 }
@@ -199,4 +199,105 @@ fn typos_are_told_with_a_hint() {
     let run = VIEWER.run(&["render", "--radus", "5"]);
     assert_eq!(run.code, 2, "{run:?}");
     assert!(run.stderr.contains("--radius"), "{run:?}");
+}
+
+#[test]
+fn stars_are_drawn_before_any_sky_and_from_a_persons_own_catalogue() {
+    let folder = folder();
+    let (csv, out) = (path(&folder, "my.csv"), path(&folder, "out.png"));
+    // One star in the middle of the picture: the hole is far, and to its side.
+    std::fs::write(&csv, "ra,dec,mag\n30,10,-1\n").unwrap();
+    let render = |sky: &str, stars: &[&str]| {
+        let scene = [
+            "render", "--device", "cpu", "--size", "65x37", "-r", "1e5", "--fov", "20", "--hole",
+            "20,10", "--yaw", "-9.848", "--pitch", "0.15", "-s", sky, "-o", &out,
+        ];
+        VIEWER.run(&[&scene[..], stars].concat()).succeeds();
+        image::open(&out).unwrap().into_rgb8()
+    };
+    let picture = render("stars", &["--stars", &csv]);
+    assert_eq!(picture.get_pixel(32, 18).0, [255; 3]);
+    assert_eq!(picture.get_pixel(2, 2).0, [0; 3]);
+    let dimmer = render("stars", &["--stars", &csv, "--star-exposure", "-9"]);
+    let pixel = dimmer.get_pixel(32, 18).0[0];
+    assert!((10..255).contains(&pixel), "{pixel}");
+    let both = render("grid", &["--stars", "hipparcos"]);
+    assert_ne!(both, render("grid", &[]));
+}
+
+#[test]
+fn catalogues_that_are_none_are_refused_in_one_line() {
+    let folder = folder();
+    let out = path(&folder, "out.png");
+    let draw = |stars: &str| {
+        let args = [
+            "render", "--device", "cpu", "--size", "32x18", "-s", "grid", "--stars",
+        ];
+        VIEWER.run(&[&args[..], &[stars, "-o", &out]].concat())
+    };
+    let mut truncated = viewer::stars::to_bytes(&viewer::stars::hipparcos());
+    truncated.truncate(1000);
+    let junk: Vec<u8> = (0..10_000_u32).map(|i| ((i * i) >> 3) as u8).collect();
+    let cases: [(&str, &[u8], &str); 8] = [
+        ("empty.csv", b"", "no column 'ra'"),
+        ("header.csv", b"ra,dec,mag\n", "holds no star"),
+        ("column.csv", b"ra,mag\n1,2\n", "no column 'dec'"),
+        (
+            "nan.csv",
+            b"ra,dec,mag\n1,2,3\n1,NaN,3\n",
+            "line 3: dec is 'NaN'",
+        ),
+        ("short.csv", b"ra,dec,mag\n1,2\n", "line 2: mag is ''"),
+        ("binary.csv", &junk, "binary.csv"),
+        ("truncated.stars", &truncated, "truncated or damaged"),
+        ("magic.stars", b"LBSTARS\0", "truncated or damaged"),
+    ];
+    for (name, bytes, words) in cases {
+        let file = path(&folder, name);
+        std::fs::write(&file, bytes).unwrap();
+        draw(&file).refuses(&[&file, words]);
+    }
+    draw("nowhere.csv").refuses(&["nowhere.csv", "neither a file nor"]);
+    draw(folder.path().to_str().unwrap()).refuses(&["cannot be read"]);
+    let raw = path(&folder, "nan.csv");
+    VIEWER
+        .run(&["catalogue", &raw, "-o", &path(&folder, "c.stars")])
+        .refuses(&[&raw, "line 1 is no record of hip2.dat"]);
+    let render = |args: &[&str]| {
+        let base = [
+            "render",
+            "--device",
+            "cpu",
+            "-s",
+            "stars",
+            "-o",
+            out.as_str(),
+        ];
+        VIEWER.run(&[&base[..], args].concat())
+    };
+    render(&["--star-radius", "0"]).refuses(&["--star-radius 0"]);
+    render(&["--star-exposure", "99"]).refuses(&["--star-exposure", "from -30 to 30"]);
+    render(&["--hole", "12"]).refuses(&["--hole", "two angles in degrees"]);
+    render(&["--hole", "0,91"]).refuses(&["--hole", "two angles in degrees"]);
+    assert!(!Path::new(&out).exists());
+}
+
+#[test]
+fn a_million_lines_load() {
+    let folder = folder();
+    let (csv, out) = (path(&folder, "many.csv"), path(&folder, "out.png"));
+    let mut text = String::from("ra,dec,mag,bv\n");
+    for i in 0..1_000_000 {
+        let (ra, dec) = (i % 3600, (i / 3600) as f64 * 0.6 - 83.0);
+        text += &format!("{}.{},{dec:.1},{}.5,0.6\n", ra / 10, ra % 10, 6 + i % 8);
+    }
+    std::fs::write(&csv, text).unwrap();
+    let size = [
+        "render", "--device", "cpu", "--size", "160x90", "-s", "stars",
+    ];
+    VIEWER
+        .run(&[&size[..], &["--stars", &csv, "-o", &out]].concat())
+        .succeeds();
+    let lit = image::open(&out).unwrap().into_rgb8();
+    assert!(lit.pixels().filter(|p| p.0[1] > 0).count() > 5000);
 }

@@ -52,7 +52,15 @@ fn has_light(shot: &Shot) -> bool {
 fn rendered(folder: &Path, args: &[&str]) -> Shot {
     let path = folder.join("rendered.png");
     let all = [
-        &["render", "--size", SIZE, "-o", path.to_str().unwrap()],
+        &[
+            "render",
+            "--sampling",
+            "single",
+            "--size",
+            SIZE,
+            "-o",
+            path.to_str().unwrap(),
+        ],
         args,
     ]
     .concat();
@@ -104,8 +112,8 @@ fn the_window_shows_what_the_headless_program_draws_and_obeys_the_keys() {
     window.press(&["l"]);
     assert_eq!(window.at_rest(), start);
 
-    // Z: the three skies and round.
-    for sky in ["starmap", "grid"] {
+    // Z: the four skies and round.
+    for sky in ["starmap", "grid", "stars"] {
         window.press(&["z"]);
         let expected = rendered(folder, &["-s", sky]);
         window.shows(sky, |shot| alike(shot, &expected));

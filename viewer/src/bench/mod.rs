@@ -117,7 +117,11 @@ pub fn run(
     }
     let errors = errors::largest(&renderer, table)?;
     let first = scene(table, RADII.1, (1, 1))?;
-    let mut live = Live::new(renderer, &first.row, [1, 1]);
+    let steps = METHODS.iter().filter_map(|method| match method {
+        Method::Direct { step } => Some(*step),
+        Method::Lut | Method::Flat => None,
+    });
+    let mut live = Live::new(renderer, &first.row, [1, 1], &steps.collect::<Vec<f64>>());
     let mut entries = Vec::new();
     for (i, &size) in effort.sizes.iter().enumerate() {
         let done = |part: f64| round_done((i as f64 + part) / effort.sizes.len() as f64);

@@ -1,6 +1,7 @@
 //! The commands: arguments in, data to standard output, summaries to standard error.
 
 pub mod bench;
+pub mod catalogue;
 pub mod chart;
 pub mod diff;
 mod least;
@@ -8,7 +9,8 @@ pub mod reference;
 pub mod render;
 pub mod window;
 
-use crate::cli::{DeviceName, SceneArgs, ViewArgs};
+use crate::cli::{DeviceName, SceneArgs, StarArgs, ViewArgs};
+use lensbake_core::CoreError;
 use lensbake_tables::{ContainerError, Table, container, default_atlas};
 use std::borrow::Cow;
 use std::io;
@@ -21,7 +23,8 @@ use viewer::gpu::{Gpu, GpuError};
 use viewer::picture::PictureError;
 use viewer::reference::StudyError;
 use viewer::scene::{Method, Scene, SceneError};
-use viewer::sky::SkyError;
+use viewer::sky::{SkyError, SkySource};
+use viewer::stars::{self, MAX_DISC_RADIUS, StarField, StarSource, StarsError};
 use viewer::window::WindowError;
 
 /// Why a command could not do its work.
@@ -44,6 +47,15 @@ pub enum CommandError {
     /// The sky.
     #[error(transparent)]
     Sky(#[from] SkyError),
+    /// The stars.
+    #[error(transparent)]
+    Stars(#[from] StarsError),
+    /// The radius of the stars.
+    #[error("--star-radius {0} is not above 0 and at most {MAX_DISC_RADIUS} rad")]
+    StarRadius(f64),
+    /// An observer without a view angle.
+    #[error(transparent)]
+    Observer(#[from] CoreError),
     /// The GPU.
     #[error(transparent)]
     Gpu(#[from] GpuError),
@@ -93,6 +105,25 @@ fn scene(args: &SceneArgs, method: Method) -> Result<Scene, CommandError> {
         },
         _ => CommandError::Scene { name, problem },
     })
+}
+
+/// The stars asked for, if any: the sky `stars` has those of Hipparcos unless others are named.
+fn star_field(args: &StarArgs, sky: &SkySource) -> Result<Option<StarField>, CommandError> {
+    let built_in = (*sky == SkySource::Stars).then_some(StarSource::Hipparcos);
+    let source = args.stars.clone().or(built_in);
+    source.map(|source| stars_of(args, &source)).transpose()
+}
+
+/// The stars of a source, as bright and as large as the arguments say.
+fn stars_of(args: &StarArgs, source: &StarSource) -> Result<StarField, CommandError> {
+    let mut field = StarField::new(&stars::load(source)?, args.star_exposure);
+    if let Some(radius) = args.star_radius {
+        if !(radius > 0.0 && radius <= MAX_DISC_RADIUS) {
+            return Err(CommandError::StarRadius(radius));
+        }
+        field.disc_radius = radius;
+    }
+    Ok(field)
 }
 
 /// The table that the arguments name, and what it is called.

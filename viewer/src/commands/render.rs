@@ -1,6 +1,6 @@
 //! `viewer render`: a picture to a file.
 
-use super::{CommandError, gpu, least, scene};
+use super::{CommandError, gpu, least, scene, star_field};
 use crate::cli::{MethodName, RenderArgs, SamplingName};
 use lensbake_report::{Outcome, Progress};
 use std::time::Instant;
@@ -11,6 +11,7 @@ use viewer::model::DEFAULT_BUDGET_PX;
 use viewer::picture::Picture;
 use viewer::scene::{Method, Sampling, Scene};
 use viewer::sky::{self, Sky};
+use viewer::stars::{self, StarField};
 
 pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     Picture::check_path(&args.output)?;
@@ -29,6 +30,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     };
     let mut scene = scene(&args.scene, method)?.sampled(sampling);
     let sky = sky::load(&args.scene.view.sky)?;
+    let stars = star_field(&args.stars, &args.scene.view.sky)?;
     let gpu = gpu(args.scene.device)?;
     let mut outcome = Outcome::Done;
     if args.explain || args.budget_px.is_some() {
@@ -45,8 +47,8 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     }
     let started = Instant::now();
     let picture = match &gpu {
-        Some(gpu) => on_gpu(gpu, &scene, &sky)?,
-        None => on_cpu(&scene, &sky),
+        Some(gpu) => on_gpu(gpu, &scene, &sky, stars.as_ref())?,
+        None => on_cpu(&scene, &sky, stars.as_ref())?,
     };
     let device = gpu.map_or("the CPU".into(), |gpu| gpu.name());
     eprintln!(
@@ -71,16 +73,28 @@ fn extra_rays(scene: &Scene) -> String {
     format!("{extra} extra rays beside the shadow's edge, {percent:.2} % of one a pixel")
 }
 
-fn on_gpu(gpu: &Gpu, scene: &Scene, sky: &Sky) -> Result<Picture, CommandError> {
+fn on_gpu(
+    gpu: &Gpu,
+    scene: &Scene,
+    sky: &Sky,
+    stars: Option<&StarField>,
+) -> Result<Picture, CommandError> {
     let progress = Progress::new("drawing", scene.camera.height.into());
-    let picture = Renderer::new(gpu, sky)?.picture(scene, |rows| progress.reach(rows.into()))?;
+    let mut renderer = Renderer::new(gpu, sky)?;
+    if let Some(stars) = stars {
+        renderer = renderer.with_stars(stars);
+    }
+    let picture = renderer.picture(scene, |rows| progress.reach(rows.into()))?;
     progress.finish();
     Ok(picture)
 }
 
-fn on_cpu(scene: &Scene, sky: &Sky) -> Picture {
+fn on_cpu(scene: &Scene, sky: &Sky, stars: Option<&StarField>) -> Result<Picture, CommandError> {
     let progress = Progress::new("drawing", scene.camera.height.into());
-    let picture = cpu::render(scene, sky, || progress.step());
+    let mut picture = cpu::render(scene, sky, || progress.step());
+    if let Some(stars) = stars {
+        stars::draw(&mut picture, scene, stars)?;
+    }
     progress.finish();
-    picture
+    Ok(picture)
 }

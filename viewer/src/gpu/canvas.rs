@@ -3,7 +3,8 @@
 
 use super::blocks::{BLOCK, LIST_WIDTH, List, append_lists};
 use super::renderer::{Program, Renderer, SkyOnDevice, resource};
-use super::{Frame, Store, Tile};
+use super::stars::StarLists;
+use super::{Frame, Gpu, GpuError, Store, Tile};
 use crate::filtered::Pixels;
 use crate::scene::{Sampling, Scene};
 use crate::shadow::Shadow;
@@ -40,6 +41,7 @@ pub struct Canvas {
     /// The lists of each tile; none if the picture is not filtered.
     lists: Vec<[List; 3]>,
     bind_group: BindGroup,
+    stars: Option<StarLists>,
 }
 
 impl Canvas {
@@ -60,7 +62,7 @@ impl Canvas {
             view_formats: &[],
         });
         let view = texture.create_view(&Default::default());
-        Canvas::new(renderer, row, Target::Texture(view), 1)
+        Canvas::new(renderer, row, Target::Texture(view), 1).with_lists(renderer, size)
     }
 
     /// A canvas for rows of the shape of `row`, each of its tiles of at most `pixels` pixels written to
@@ -100,7 +102,25 @@ impl Canvas {
             lists: Vec::new(),
             bind_group,
             device,
+            stars: None,
         }
+    }
+
+    /// The same canvas with room for the stars of `renderer` in pictures of `size` pixels.
+    pub(super) fn with_lists(self, renderer: &Renderer, size: [u32; 2]) -> Self {
+        let stars = renderer.stars.clone();
+        Canvas {
+            stars: stars.map(|stars| StarLists::new(&renderer.gpu, stars, size)),
+            ..self
+        }
+    }
+
+    /// Checks that no light of the stars was lost in the picture drawn last.
+    ///
+    /// # Errors
+    /// [`GpuError::TooManyStars`] if some was, [`GpuError::Failed`] if the device fails.
+    pub fn check_stars(&self, gpu: &Gpu) -> Result<(), GpuError> {
+        self.stars.as_ref().map_or(Ok(()), |lists| lists.check(gpu))
     }
 
     /// What the frames are written to.
@@ -132,14 +152,16 @@ impl Canvas {
         self.queue
             .write_buffer(&self.blocks, 0, bytemuck::cast_slice(&blocks));
         let shadow = Shadow::of(scene);
-        let step = scene.method.integrator_step();
         for (i, &tile) in self.tiles.iter().enumerate() {
             let lists = self.lists.get(i).copied().unwrap_or_default();
-            let frame = Frame::new(&scene.camera, tile, step, gain)
+            let frame = Frame::new(&scene.camera, tile, gain)
                 .filtered(shadow, lists.map(|list| list.first));
             let offset = i as u64 * self.frame_stride;
             self.queue
                 .write_buffer(&self.frames, offset, bytemuck::bytes_of(&frame));
+        }
+        if let Some(stars) = &mut self.stars {
+            stars.show(scene);
         }
         if self.shown.as_ref() != Some(&scene.row) {
             self.upload(&scene.row);
@@ -161,7 +183,7 @@ impl Canvas {
     }
 
     /// Encodes the drawing of tile `index` by `program` before `sky`; `timestamps` notes when it begins
-    /// and ends.
+    /// and ends. With the first tile go the lists of the stars that all of them read.
     pub(super) fn encode(
         &self,
         encoder: &mut CommandEncoder,
@@ -170,13 +192,23 @@ impl Canvas {
         index: usize,
         timestamps: Option<ComputePassTimestampWrites>,
     ) {
+        let lists = self.stars.as_ref().filter(|_| index == 0);
+        if let Some(lists) = lists {
+            lists.clear(encoder);
+        }
         let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor {
             label: Some(program.name),
             timestamp_writes: timestamps,
         });
         let offset = index as u64 * self.frame_stride;
+        if let Some(lists) = lists {
+            lists.sort(&mut pass);
+        }
         pass.set_bind_group(0, &self.bind_group, &[offset as u32]);
         pass.set_bind_group(1, sky, &[]);
+        if let Some(stars) = &self.stars {
+            pass.set_bind_group(2, stars.lists(), &[]);
+        }
         if let [pipeline] = &program.pipelines[..] {
             let [across, down] = self.tiles[index].count.map(|n| n.div_ceil(BLOCK));
             pass.set_pipeline(pipeline);

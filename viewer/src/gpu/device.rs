@@ -21,6 +21,20 @@ pub enum GpuError {
         /// What it says.
         reason: String,
     },
+    /// More images of stars than its lists hold.
+    #[error(
+        "more images of stars than the GPU has room for: lower --star-exposure, leave out the faintest \
+         stars, or use --device cpu"
+    )]
+    TooManyStars,
+    /// A picture with more pixels than there can be lists of stars.
+    #[error(
+        "the GPU draws stars in pictures of at most {most} pixels: use --device cpu for a larger one"
+    )]
+    TooLargeForStars {
+        /// The most pixels.
+        most: u64,
+    },
     /// There is one, but it cannot draw to the window.
     #[error("the window cannot be drawn to: {0}")]
     NoSurface(String),

@@ -23,9 +23,9 @@ pub struct Frame {
     down: [f32; 3],
     lapse: f32,
     forward: [f32; 3],
-    step: f32,
-    sky_x: [f32; 3],
     gain: f32,
+    sky_x: [f32; 3],
+    padding: f32,
     sky_y: [f32; 3],
     half_edge_cos: f32,
     sky_z: [f32; 3],
@@ -35,13 +35,12 @@ pub struct Frame {
     first: [u32; 2],
     count: [u32; 2],
     lists: [u32; 3],
-    padding: u32,
+    padding_2: u32,
 }
 
 impl Frame {
-    /// One tile of a camera's picture. `step` is the direct integrator's, rad; `gain` amplifies a
-    /// difference. Nothing else reads these two.
-    pub fn new(camera: &Camera, tile: Tile, step: f64, gain: f32) -> Self {
+    /// One tile of a camera's picture. `gain` amplifies a difference; nothing else reads it.
+    pub fn new(camera: &Camera, tile: Tile, gain: f32) -> Self {
         let vector = |v: DVec3| v.as_vec3().to_array();
         let edge = Edge::of(&camera.observer);
         Frame {
@@ -50,9 +49,9 @@ impl Frame {
             down: vector(camera.down),
             lapse: camera.observer.lapse() as f32,
             forward: vector(camera.forward),
-            step: step as f32,
-            sky_x: vector(camera.sky_from_hole.x_axis),
             gain,
+            sky_x: vector(camera.sky_from_hole.x_axis),
+            padding: 0.0,
             sky_y: vector(camera.sky_from_hole.y_axis),
             half_edge_cos: 0.0,
             sky_z: vector(camera.sky_from_hole.z_axis),
@@ -62,7 +61,7 @@ impl Frame {
             first: tile.first,
             count: tile.count,
             lists: [0; 3],
-            padding: 0,
+            padding_2: 0,
         }
     }
 
@@ -94,6 +93,7 @@ mod tests {
             Store::Buffer,
             64,
             Interpolation::Hermite,
+            false,
         );
         let module = naga::front::wgsl::parse_str(&source).unwrap();
         let (members, span) = module
@@ -122,7 +122,6 @@ mod tests {
             down,
             lapse,
             forward,
-            step,
             sky_x,
             gain,
             sky_y,

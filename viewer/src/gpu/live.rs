@@ -3,6 +3,7 @@
 
 use super::{Canvas, Output, Passes, Program, Renderer, Store, Target, Tile, band_pixels};
 use crate::scene::{Method, Sampling, Scene};
+use crate::stars::StarField;
 use lensbake_tables::Row;
 use wgpu::*;
 
@@ -27,7 +28,7 @@ pub enum Show {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Brush {
     Lut,
-    Direct,
+    Direct { step: f64 },
     Flat,
     Difference,
 }
@@ -37,6 +38,7 @@ enum Brush {
 pub struct Live {
     renderer: Renderer,
     programs: Programs,
+    steps: Vec<f64>,
     canvas: Canvas,
     row: Row,
     room: [u32; 2],
@@ -46,16 +48,23 @@ pub struct Live {
 #[derive(Debug)]
 struct Programs {
     lut: Program,
-    direct: Program,
     flat: Program,
+    /// By their steps.
+    direct: Vec<(f64, Program)>,
+    /// By the first of the steps.
     difference: Program,
 }
 
 impl Live {
     /// Frames of at most `room` pixels across and down by `renderer`, with rows of the shape of `row`.
-    pub fn new(renderer: Renderer, row: &Row, room: [u32; 2]) -> Self {
+    /// Direct integration takes one of `steps`, rad; a difference takes the first.
+    ///
+    /// # Panics
+    /// If there are no steps.
+    pub fn new(renderer: Renderer, row: &Row, room: [u32; 2], steps: &[f64]) -> Self {
         Live {
-            programs: Programs::new(&renderer, row),
+            programs: Programs::new(&renderer, row, steps),
+            steps: steps.to_vec(),
             canvas: Canvas::on_texture(&renderer, row, room),
             row: row.clone(),
             room,
@@ -88,9 +97,19 @@ impl Live {
         if shape(row) == shape(&self.row) {
             return;
         }
-        self.programs = Programs::new(&self.renderer, row);
-        self.canvas = Canvas::on_texture(&self.renderer, row, self.room);
         self.row = row.clone();
+        self.remake();
+    }
+
+    /// Draws the stars of `field` before the sky from now on, or none.
+    pub fn set_stars(&mut self, field: Option<&StarField>) {
+        self.renderer.set_stars(field);
+        self.remake();
+    }
+
+    fn remake(&mut self) {
+        self.programs = Programs::new(&self.renderer, &self.row, &self.steps);
+        self.canvas = Canvas::on_texture(&self.renderer, &self.row, self.room);
     }
 
     /// The texture that the frames are drawn to, of [`Live::room`] pixels; a smaller frame lies in its
@@ -106,7 +125,8 @@ impl Live {
     /// The two comparisons take the integrator's step from the scene's method.
     ///
     /// # Panics
-    /// If the scene is larger than the room, or its row has another shape.
+    /// If the scene is larger than the room, its row has another shape, or its step is not among those
+    /// that it was made for.
     pub fn show(&mut self, scene: &Scene, show: Show) {
         let (width, height) = (scene.camera.width, scene.camera.height);
         let [most_wide, most_high] = self.room;
@@ -120,7 +140,10 @@ impl Live {
                 let divider = divider.min(width);
                 let right = columns(divider, width - divider, height);
                 let left = columns(0, divider, height);
-                ([(Brush::Lut, left), (Brush::Direct, right)], 1.0)
+                let direct = Brush::Direct {
+                    step: scene.method.integrator_step(),
+                };
+                ([(Brush::Lut, left), (direct, right)], 1.0)
             }
         };
         self.brushes.clear();
@@ -152,7 +175,7 @@ impl Passes for Live {
     ) {
         let program = match self.brushes[pass] {
             Brush::Lut => &self.programs.lut,
-            Brush::Direct => &self.programs.direct,
+            Brush::Direct { step } => self.programs.direct(step),
             Brush::Flat => &self.programs.flat,
             Brush::Difference => &self.programs.difference,
         };
@@ -167,19 +190,24 @@ impl Passes for Live {
 }
 
 impl Programs {
-    fn new(renderer: &Renderer, row: &Row) -> Self {
+    fn new(renderer: &Renderer, row: &Row, steps: &[f64]) -> Self {
         let program = |method, output| {
             renderer.program(method, Sampling::Single, output, Store::Texture, row)
         };
-        let direct = Method::Direct {
-            step: Method::DEFAULT_STEP,
-        };
+        let direct = |&step| (step, program(Method::Direct { step }, Output::Picture));
+        let compared = Method::Direct { step: steps[0] };
         Programs {
             lut: program(Method::Lut, Output::Picture),
-            direct: program(direct, Output::Picture),
             flat: program(Method::Flat, Output::Picture),
-            difference: program(direct, Output::Difference),
+            direct: steps.iter().map(direct).collect(),
+            difference: program(compared, Output::Difference),
         }
+    }
+
+    fn direct(&self, step: f64) -> &Program {
+        let mut all = self.direct.iter();
+        let found = all.find(|(of, _)| *of == step);
+        &found.expect("a step that the programs were made for").1
     }
 }
 
@@ -187,7 +215,7 @@ impl Brush {
     fn of(method: Method) -> Self {
         match method {
             Method::Lut => Brush::Lut,
-            Method::Direct { .. } => Brush::Direct,
+            Method::Direct { step } => Brush::Direct { step },
             Method::Flat => Brush::Flat,
         }
     }
@@ -197,7 +225,7 @@ impl Brush {
         match self {
             Brush::Lut => band_pixels(Method::Lut),
             Brush::Flat => band_pixels(Method::Flat),
-            Brush::Direct | Brush::Difference => band_pixels(Method::Direct {
+            Brush::Direct { .. } | Brush::Difference => band_pixels(Method::Direct {
                 step: scene.method.integrator_step(),
             }),
         }

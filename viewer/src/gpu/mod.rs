@@ -10,6 +10,7 @@ mod present;
 mod renderer;
 mod shader;
 mod stamps;
+mod stars;
 mod stopwatch;
 mod timer;
 

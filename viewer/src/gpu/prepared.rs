@@ -32,6 +32,9 @@ impl Prepared {
         };
         let bands = camera.height.div_ceil(rows);
         let mut canvas = Canvas::on_buffer(renderer, &scene.row, pixels, bands.into());
+        if output == Output::Picture {
+            canvas = canvas.with_lists(renderer, whole.count);
+        }
         canvas.show(scene, &renderer.sky, whole.bands(most_pixels), 1.0);
         Prepared {
             program: renderer.program(

@@ -3,7 +3,7 @@
 use super::renderer::{bind_group_layout, resource, texture_binding};
 use super::{Frame, Gpu, Live, Tile};
 use crate::camera::Camera;
-use crate::scene::Method;
+use crate::tone_map;
 use lensbake_tables::{Interpolation, lookup};
 use wgpu::*;
 
@@ -13,7 +13,7 @@ use wgpu::*;
 struct Present {
     picture: [u32; 2],
     divider: u32,
-    padding: u32,
+    exposure: f32,
 }
 
 const NO_DIVIDER: u32 = u32::MAX;
@@ -76,12 +76,14 @@ pub enum Edge {
 }
 
 /// How a picture is shown.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Showing {
     /// What becomes of the edge.
     pub edge: Edge,
     /// The window's column in which a divider stands.
     pub divider: Option<u32>,
+    /// How much brighter it is shown, in stops.
+    pub exposure: f32,
 }
 
 impl Presenter {
@@ -122,11 +124,11 @@ impl Presenter {
             first: [0, 0],
             count: [window.width, window.height],
         };
-        let frame = Frame::new(window, whole, Method::DEFAULT_STEP, 1.0);
+        let frame = Frame::new(window, whole, 1.0);
         let present = Present {
             picture,
             divider: showing.divider.unwrap_or(NO_DIVIDER),
-            padding: 0,
+            exposure: showing.exposure,
         };
         self.fit = Fit::of(picture, whole.count, showing.edge);
         self.queue
@@ -149,6 +151,7 @@ fn source() -> String {
         &lookup::wgsl_row(2, Interpolation::Hermite, 0, 3),
         lookup::WGSL,
         include_str!("../shaders/frame.wgsl"),
+        tone_map::WGSL,
         include_str!("../shaders/present.wgsl"),
     ]
     .join("\n")
@@ -249,7 +252,7 @@ mod tests {
             panic!("no struct");
         };
         let offsets: Vec<u32> = members.iter().map(|m| m.offset).collect();
-        assert_eq!(offsets, [0, 8]);
+        assert_eq!(offsets, [0, 8, 12]);
         assert_eq!(*span as usize, size_of::<Present>());
     }
 }

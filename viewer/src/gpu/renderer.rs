@@ -1,15 +1,18 @@
 //! Draws scenes on a GPU.
 
 use super::canvas::storage_texture_binding;
+use super::stars::Stars;
 use super::{
     Gpu, GpuError, Output, Passes, Prepared, Store, Target, Tile, entry_points, shader_source,
 };
 use crate::picture::Picture;
 use crate::scene::{Method, Sampling, Scene};
 use crate::sky::{Cube, Sky};
+use crate::stars::StarField;
 use glam::{DVec3, Vec3};
 use lensbake_core::Fate;
 use lensbake_tables::Row;
+use std::sync::Arc;
 use wgpu::*;
 
 /// Where the light of each pixel comes from: unit directions in the hole frame, row-major
@@ -42,6 +45,7 @@ pub struct Renderer {
     sky_layout: BindGroupLayout,
     buffer_layout: BindGroupLayout,
     texture_layout: BindGroupLayout,
+    pub(super) stars: Option<Arc<Stars>>,
 }
 
 impl Renderer {
@@ -63,17 +67,30 @@ impl Renderer {
         let frame_layout = |label, output| {
             let row = texture_binding(TextureViewDimension::D1, false);
             let blocks = storage_buffer_binding(true);
-            layout(label, &[frame_binding(), row, output, blocks])
+            layout(label, &[uniform_binding(true), row, output, blocks])
         };
         let renderer = Renderer {
             sky: put_on_device(gpu, &sky_layout, sky),
             sky_layout,
             buffer_layout: frame_layout("frame to a buffer", storage_buffer_binding(false)),
             texture_layout: frame_layout("frame to a texture", storage_texture_binding()),
+            stars: None,
             gpu: gpu.clone(),
         };
         gpu.wait()?;
         Ok(renderer)
+    }
+
+    /// The same renderer with the stars of `field` before its sky. They are seen by pipelines and canvases
+    /// made from now on.
+    pub fn with_stars(mut self, field: &StarField) -> Self {
+        self.set_stars(Some(field));
+        self
+    }
+
+    /// Has the stars of `field` before its sky, or none. Programs and canvases made before do not know.
+    pub(super) fn set_stars(&mut self, field: Option<&StarField>) {
+        self.stars = field.map(|field| Arc::new(Stars::new(&self.gpu, field)));
     }
 
     /// Puts another sky on the device.
@@ -121,15 +138,27 @@ impl Renderer {
     ) -> Program {
         let device = &self.gpu.device;
         let (texels, interpolation) = (row.texel_count(), row.interpolation());
-        let source = shader_source(method, sampling, output, store, texels, interpolation);
+        let stars = self.stars.as_ref().filter(|_| output == Output::Picture);
+        let source = shader_source(
+            method,
+            sampling,
+            output,
+            store,
+            texels,
+            interpolation,
+            stars.is_some(),
+        );
         let label = Some(output.name());
         let module = device.create_shader_module(ShaderModuleDescriptor {
             label,
             source: ShaderSource::Wgsl(source.into()),
         });
+        let groups = [Some(self.frame_layout(store)), Some(&self.sky_layout)];
+        let lists = stars.map(|stars| Some(&stars.list_layout));
+        let groups: Vec<_> = groups.into_iter().chain(lists).collect();
         let layout = device.create_pipeline_layout(&PipelineLayoutDescriptor {
             label,
-            bind_group_layouts: &[Some(self.frame_layout(store)), Some(&self.sky_layout)],
+            bind_group_layouts: &groups,
             immediate_size: 0,
         });
         let pipeline = |entry_point: &&str| {
@@ -152,8 +181,12 @@ impl Renderer {
     /// Draws the picture of a scene. `band_done` is called with the rows of pixels done so far.
     ///
     /// # Errors
-    /// [`GpuError::Failed`] if the device does.
+    /// [`GpuError::Failed`] if the device does, [`GpuError::TooManyStars`] if its lists are too short.
     pub fn picture(&self, scene: &Scene, band_done: impl Fn(u32)) -> Result<Picture, GpuError> {
+        let most = self.gpu.device.limits().max_storage_buffer_binding_size / 4 - 1;
+        if self.stars.is_some() && scene.camera.pixels() as u64 > most {
+            return Err(GpuError::TooLargeForStars { most });
+        }
         let pixels = self.run(scene, Output::Picture, band_done)?;
         let light = pixels.into_iter().map(|[r, g, b, _]| [r, g, b]).collect();
         Ok(Picture::new(scene.camera.width, scene.camera.height, light))
@@ -227,7 +260,7 @@ impl Renderer {
             let [width, rows] = band.count;
             take(band, &written[..rows as usize * width as usize]);
         }
-        Ok(())
+        prepared.canvas().check_stars(&self.gpu)
     }
 }
 
@@ -311,15 +344,15 @@ pub(super) fn resource(binding: u32, resource: BindingResource<'_>) -> BindGroup
     BindGroupEntry { binding, resource }
 }
 
-fn frame_binding() -> BindingType {
+pub(super) fn uniform_binding(has_dynamic_offset: bool) -> BindingType {
     BindingType::Buffer {
         ty: BufferBindingType::Uniform,
-        has_dynamic_offset: true,
+        has_dynamic_offset,
         min_binding_size: None,
     }
 }
 
-fn storage_buffer_binding(read_only: bool) -> BindingType {
+pub(super) fn storage_buffer_binding(read_only: bool) -> BindingType {
     BindingType::Buffer {
         ty: BufferBindingType::Storage { read_only },
         has_dynamic_offset: false,

@@ -1,5 +1,6 @@
 //! The shader text of a frame, put together from the parts that differ and the parts that do not.
 
+use super::stars::light_source;
 use crate::scene::{Method, Sampling};
 use lensbake_tables::{Interpolation, lookup};
 
@@ -51,7 +52,8 @@ pub fn entry_points(sampling: Sampling, output: Output) -> &'static [&'static st
     }
 }
 
-/// The WGSL of one method and output, for rows of `texels` texels read by `interpolation`.
+/// The WGSL of one method and output, for rows of `texels` texels read by `interpolation`; its picture sees
+/// stars if there are any.
 pub fn shader_source(
     method: Method,
     sampling: Sampling,
@@ -59,9 +61,11 @@ pub fn shader_source(
     store: Store,
     texels: u32,
     interpolation: Interpolation,
+    stars: bool,
 ) -> String {
     let lut = include_str!("../shaders/deflect_lut.wgsl");
-    let direct = include_str!("../shaders/deflect_direct.wgsl");
+    let step = format!("const STEP: f32 = {:?};", method.integrator_step());
+    let direct = &[&step, include_str!("../shaders/deflect_direct.wgsl")].join("\n");
     let flat = include_str!("../shaders/deflect_flat.wgsl");
     let deflect = match (output, method) {
         (Output::Difference, _) => [lut, direct].join("\n"),
@@ -91,6 +95,11 @@ pub fn shader_source(
     } else {
         ""
     };
+    let star_light = match output {
+        Output::Picture => light_source(stars),
+        Output::Difference => light_source(false),
+        Output::Trace => String::new(),
+    };
     [
         &lookup::wgsl_row(texels, interpolation, 0, 1),
         lookup::WGSL,
@@ -98,6 +107,7 @@ pub fn shader_source(
         store,
         &deflect,
         sky,
+        &star_light,
         entry_points,
     ]
     .join("\n")
@@ -118,7 +128,7 @@ fn deflect_by(text: &str, name: &str) -> String {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use naga::valid::{Capabilities, ValidationFlags, Validator};
 
@@ -132,10 +142,17 @@ mod tests {
         for method in methods {
             for output in outputs {
                 for store in [Store::Buffer, Store::Texture] {
-                    for interpolation in reads {
+                    for (interpolation, stars) in reads.map(|r| [(r, false), (r, true)]).concat() {
                         for sampling in samplings {
-                            let source =
-                                shader_source(method, sampling, output, store, 64, interpolation);
+                            let source = shader_source(
+                                method,
+                                sampling,
+                                output,
+                                store,
+                                64,
+                                interpolation,
+                                stars,
+                            );
                             validate(&source, entry_points(sampling, output));
                             validated += 1;
                         }
@@ -143,10 +160,10 @@ mod tests {
                 }
             }
         }
-        assert_eq!(validated, 72);
+        assert_eq!(validated, 144);
     }
 
-    fn validate(source: &str, entry_points: &[&str]) {
+    pub(in crate::gpu) fn validate(source: &str, entry_points: &[&str]) {
         let module = naga::front::wgsl::parse_str(source)
             .unwrap_or_else(|e| panic!("{}", e.emit_to_string(source)));
         Validator::new(ValidationFlags::all(), Capabilities::empty())

@@ -161,6 +161,7 @@ mod tests {
             Store::Buffer,
             64,
             interpolation,
+            false,
         );
         let module = naga::front::wgsl::parse_str(&source).unwrap();
         let name = match method {

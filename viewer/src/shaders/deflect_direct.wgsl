@@ -1,5 +1,7 @@
 // RK4 along the ray turns the light: the textbook way, forward from the observer, in f32. It knows
-// nothing of the table nor of the shadow's edge.
+// nothing of the table nor of the shadow's edge. Needs before it `const STEP: f32`, the step of orbital
+// angle in rad: a constant, for a driver may compile a shader anew for every value of a uniform that it
+// loops by.
 
 // No ray that f32 can tell from a captured one turns further, rad.
 const LONGEST_WAY: f32 = 40.0;
@@ -43,15 +45,15 @@ fn deflect_direct(c: f32, p: f32) -> Turned {
     if y.y > PLUNGE {
         return Turned(CAPTURED, 0.0, 0.0, 0.0);
     }
-    let limit = u32(LONGEST_WAY / frame.step);
+    let limit = u32(LONGEST_WAY / STEP);
     for (var i = 0u; i < limit; i++) {
-        let next = step_phi(y, frame.step);
+        let next = step_phi(y, STEP);
         if next.x >= 1.0 {
             return Turned(CAPTURED, 0.0, 0.0, 0.0);
         }
         if next.x <= 0.0 {
             // φ_∞ = π − θ′.
-            let phi = cos_sin(f32(i) * frame.step + land(y));
+            let phi = cos_sin(f32(i) * STEP + land(y));
             return Turned(ESCAPES, -phi.x, phi.y, 0.0);
         }
         y = next;

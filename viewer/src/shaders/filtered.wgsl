@@ -78,7 +78,7 @@ fn one_tap(
     }
     let d = view_direction(id.xy);
     let p = length(d.xy);
-    store(id.xy, pixel_light(d, p, deflect(-d.z, p)));
+    keep(id.xy, pixel_light(d, p, deflect(-d.z, p)));
 }
 
 // One ray a pixel, and taps along its footprint.
@@ -91,7 +91,7 @@ fn one_ray(
     if !in_tile(id) {
         return;
     }
-    store(id.xy, patch_light(patch_at(position(id), 1.0), MOST_TAPS));
+    keep(id.xy, patch_light(patch_at(position(id), 1.0), MOST_TAPS));
 }
 
 // Beside the edge: no ray a pixel, one, or one for each of 3 × 3 patches.
@@ -128,5 +128,5 @@ fn many_rays(
             sum += part.covered * patch_light(outside, most_taps);
         }
     }
-    store(id.xy, sum * (side * side));
+    keep(id.xy, sum * (side * side));
 }

@@ -7,12 +7,11 @@ struct Frame {
     // The same from one pixel to the next below, and √(1 − 1/r).
     down: vec3<f32>,
     lapse: f32,
-    // View direction of the picture's middle, and the direct integrator's step in rad.
+    // View direction of the picture's middle. A difference is amplified by gain.
     forward: vec3<f32>,
-    step: f32,
-    // Columns of the rotation from the hole frame to the sky frame. A difference is amplified by gain.
-    sky_x: vec3<f32>,
     gain: f32,
+    // Columns of the rotation from the hole frame to the sky frame.
+    sky_x: vec3<f32>,
     sky_y: vec3<f32>,
     // cos and sin of half the angle of the shadow's edge as the method draws it.
     half_edge_cos: f32,

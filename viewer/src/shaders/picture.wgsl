@@ -6,5 +6,5 @@ fn picture(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let d = view_direction(id.xy);
     let p = length(d.xy);
-    store(id.xy, pixel_light(d, p, deflect(-d.z, p)));
+    keep(id.xy, pixel_light(d, p, deflect(-d.z, p)));
 }

@@ -17,6 +17,8 @@ struct Present {
     picture: vec2<u32>,
     // Column of the window's pixels in which the divider stands; beyond the window for none.
     divider: u32,
+    // In stops.
+    exposure: f32,
 }
 
 // The window as a picture of its own.
@@ -93,7 +95,7 @@ fn srgb_from_linear(linear: vec3<f32>) -> vec3<f32> {
 @fragment
 fn shade(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let pixel = vec2<u32>(position.xy);
-    var shown = light(pixel);
+    var shown = tone_map(light(pixel), present.exposure);
     shown = select(shown, vec3(1.0, 0.6, 0.1), pixel.x == present.divider);
     if ENCODE {
         shown = srgb_from_linear(shown);

@@ -17,3 +17,8 @@ fn pixel_light(d: vec3<f32>, p: f32, turned: Turned) -> vec4<f32> {
     }
     return vec4(sky_light(turn_direction(d, p, turned)), 1.0);
 }
+
+// Keeps what the pixel `id` of the tile sees: the sky, and the stars before it.
+fn keep(id: vec2<u32>, sky: vec4<f32>) {
+    store(id, sky + vec4(star_light(frame.first + id), 0.0));
+}

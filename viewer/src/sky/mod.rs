@@ -6,6 +6,7 @@
 //! The sky frame is right-handed with +Y up; the middle of a panorama lies along −Z and its right
 //! half along +X.
 
+use glam::Vec3;
 use std::path::PathBuf;
 
 mod chain;
@@ -39,6 +40,8 @@ pub enum SkySource {
     Starmap,
     /// Built in: circles of latitude and longitude over tinted octants, to judge distortion by eye.
     Grid,
+    /// Built in: black, for [`crate::stars`] to stand before.
+    Stars,
     /// One equirectangular picture, twice as wide as high; see [`load`].
     Panorama(PathBuf),
     /// Six square pictures of one size: right, left, top, bottom, front, back; see [`load`].
@@ -50,7 +53,7 @@ impl SkySource {
     pub fn is_built_in(&self) -> bool {
         matches!(
             self,
-            SkySource::Nebula | SkySource::Starmap | SkySource::Grid
+            SkySource::Nebula | SkySource::Starmap | SkySource::Grid | SkySource::Stars
         )
     }
 
@@ -64,6 +67,7 @@ impl SkySource {
             SkySource::Nebula => "nebula".into(),
             SkySource::Starmap => "starmap".into(),
             SkySource::Grid => "grid".into(),
+            SkySource::Stars => "stars".into(),
             SkySource::Panorama(path) => file(path),
             SkySource::Faces(paths) => file(&paths[0]),
         }
@@ -89,6 +93,7 @@ pub fn load(source: &SkySource) -> Result<Sky, SkyError> {
         SkySource::Nebula => Ok(nebula(BUILT_IN_FACE_TEXELS)),
         SkySource::Starmap => Ok(starmap(BUILT_IN_FACE_TEXELS)),
         SkySource::Grid => Ok(grid(BUILT_IN_FACE_TEXELS)),
+        SkySource::Stars => Ok(Sky::from_fn(1, |_| Vec3::ZERO)),
         SkySource::Panorama(path) => panorama::load(path),
         SkySource::Faces(paths) => faces::load(paths),
     }

@@ -5,6 +5,7 @@ use super::running::Running;
 use super::settings::Settings;
 use crate::camera::View;
 use crate::sky::{Sky, SkyError, SkySource};
+use crate::stars::StarField;
 use lensbake_tables::Table;
 use std::path::PathBuf;
 use winit::application::ApplicationHandler;
@@ -21,6 +22,10 @@ pub struct Options {
     pub step: f64,
     /// Where the sky comes from.
     pub sky: SkySource,
+    /// The stars.
+    pub stars: StarField,
+    /// Whether they stand before every sky, and not before the sky `stars` alone.
+    pub stars_everywhere: bool,
     /// The table.
     pub table: Table,
     /// What it is called.

@@ -131,7 +131,11 @@ pub const BINDINGS: &[Binding] = &[
         "R",
         "orbit speed: 0×, 1×, 2×, 4×",
     ),
-    binding(&[pressed(KeyCode::KeyZ, Command::NextSky)], "Z", "next sky"),
+    binding(
+        &[pressed(KeyCode::KeyZ, Command::NextSky)],
+        "Z",
+        "next sky: nebula, starmap, grid, stars",
+    ),
     binding(
         &[pressed(KeyCode::KeyL, Command::ToggleDeflection)],
         "L",

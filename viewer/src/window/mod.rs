@@ -1,7 +1,7 @@
 //! The window: the lensed sky, live, from the table.
 //!
 //! Keys ([`keys`]), mouse and panel change the [`settings`]; a frame makes a [`plan`] of them, and the
-//! [`stage`] draws it. What moves does so by elapsed time ([`motion`]). Between two frames of the same
+//! `stage` draws it. What moves does so by elapsed time ([`motion`]). Between two frames of the same
 //! plan nothing is drawn.
 
 mod app;

@@ -112,10 +112,11 @@ impl Panel {
         facts: &Facts,
     ) -> (Paint<'_>, Wish, Duration) {
         let mut wish = Wish::default();
-        let message = self
-            .message
-            .take_if(|(_, since)| since.elapsed() > MESSAGE_TIME);
-        drop(message);
+        let left = |(_, since): &(String, Instant)| MESSAGE_TIME.checked_sub(since.elapsed());
+        let message_left = self.message.as_ref().and_then(left);
+        if message_left.is_none() {
+            self.message = None;
+        }
         let message = self.message.as_ref().map(|(text, _)| text.as_str());
         let input = self.state.take_egui_input(window);
         let output = self.context.run_ui(input, |ui| {
@@ -130,9 +131,6 @@ impl Panel {
                 say(context, message);
             }
         });
-        if message.is_some() {
-            self.context.request_repaint_after(MESSAGE_TIME);
-        }
         // A slider that was used must not keep the arrow keys.
         if !self.context.text_edit_focused() && !self.context.egui_is_using_pointer() {
             self.context.memory_mut(|memory| {
@@ -154,7 +152,8 @@ impl Panel {
             },
         };
         let again = output.viewport_output.values().map(|v| v.repaint_delay);
-        (paint, wish, again.min().unwrap_or(Duration::MAX))
+        let again = again.chain(message_left).min();
+        (paint, wish, again.unwrap_or(Duration::MAX))
     }
 }
 
@@ -240,6 +239,10 @@ fn controls(ui: &mut Ui, settings: &mut Settings, facts: &Facts) -> Option<usize
     let (names, shown) = &facts.skies;
     let mut chosen = *shown;
     ComboBox::from_id_salt("sky").show_index(ui, &mut chosen, names.len(), |i| names[i].as_str());
+    ui.end_row();
+
+    ui.label("exposure");
+    ui.add(Slider::new(&mut settings.exposure, Settings::EXPOSURES).suffix(" EV"));
     ui.end_row();
 
     ui.label("deflection");

@@ -13,6 +13,7 @@ use super::skies::Skies;
 use super::stage::{Shown, Stage};
 use super::{WindowError, files, screenshot};
 use crate::sky::Sky;
+use crate::stars::StarField;
 use lensbake_tables::Table;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -38,6 +39,9 @@ pub struct Running {
     stage: Stage,
     panel: Panel,
     skies: Skies,
+    stars: StarField,
+    stars_everywhere: bool,
+    stars_shown: bool,
     proxy: EventLoopProxy<Arrival>,
     table: Table,
     table_name: String,
@@ -75,11 +79,14 @@ impl Running {
         let window = Arc::new(window);
         let settings = Settings::new(options.view, options.step);
         let row = super::row(&settings, &options.table, &options.table_name)?;
-        let (stage, on_device) = Stage::new(window.clone(), sky, &row)?;
+        let (stage, on_device) = Stage::new(window.clone(), sky, &row, options.step)?;
         let panel = Panel::new(&window, stage.gpu(), stage.format());
         window.request_redraw();
-        Ok(Running {
+        let mut running = Running {
             skies: Skies::new(options.sky, on_device, proxy.clone()),
+            stars: options.stars,
+            stars_everywhere: options.stars_everywhere,
+            stars_shown: false,
             window,
             stage,
             panel,
@@ -96,7 +103,9 @@ impl Running {
             frames: Meter::default(),
             last_frame: None,
             next_frame: None,
-        })
+        };
+        running.show_stars();
+        Ok(running)
     }
 
     /// When the next frame is due, if one is.
@@ -233,10 +242,22 @@ impl Running {
 
     fn look_at_sky(&mut self, index: usize) {
         match self.skies.choose(index) {
-            Some(sky) => self.stage.set_sky(&sky),
+            Some(sky) => {
+                self.stage.set_sky(&sky);
+                self.show_stars();
+            }
             None => self
                 .panel
                 .say(format!("making the sky {} …", self.skies.name())),
+        }
+    }
+
+    /// Puts the stars before the sky, or takes them away.
+    fn show_stars(&mut self) {
+        let wanted = self.stars_everywhere || self.skies.is_stars();
+        if wanted != self.stars_shown {
+            self.stage.set_stars(wanted.then_some(&self.stars));
+            self.stars_shown = wanted;
         }
     }
 

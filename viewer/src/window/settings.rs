@@ -57,6 +57,8 @@ pub struct Settings {
     pub divider: f64,
     /// What a difference is multiplied by.
     pub gain: f32,
+    /// How much brighter the sky is shown, in stops.
+    pub exposure: f32,
     /// How many pixels are drawn for each of the window's.
     pub resolution: Resolution,
     /// The frame time that the automatic resolution holds, ms.
@@ -71,6 +73,9 @@ impl Settings {
     /// Gains that make sense: with 1 nothing is amplified.
     pub const GAINS: std::ops::RangeInclusive<f32> = 1.0..=1048576.0;
 
+    /// Exposures to choose from, stops.
+    pub const EXPOSURES: std::ops::RangeInclusive<f32> = -8.0..=8.0;
+
     /// The settings at the start, in a view.
     pub fn new(view: View, step: f64) -> Self {
         Settings {
@@ -81,6 +86,7 @@ impl Settings {
             step,
             divider: 0.5,
             gain: 256.0,
+            exposure: 0.0,
             resolution: Resolution::Full,
             target_ms: 1000.0 / 60.0,
             panel: true,
@@ -119,6 +125,7 @@ impl Settings {
         Showing {
             edge,
             divider: self.is_split().then(|| self.divider_column(width)),
+            exposure: self.exposure,
         }
     }
 

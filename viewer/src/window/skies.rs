@@ -25,7 +25,12 @@ pub struct Skies {
 impl Skies {
     /// The built-in ones, and `first` if it is none of them, on the device already.
     pub fn new(first: SkySource, sky: SkyOnDevice, proxy: EventLoopProxy<Arrival>) -> Self {
-        let built_in = [SkySource::Nebula, SkySource::Starmap, SkySource::Grid];
+        let built_in = [
+            SkySource::Nebula,
+            SkySource::Starmap,
+            SkySource::Grid,
+            SkySource::Stars,
+        ];
         let mut skies = Skies {
             choices: built_in.map(Choice::new).into(),
             shown: 0,
@@ -49,6 +54,11 @@ impl Skies {
     /// The name of the one that is looked at.
     pub fn name(&self) -> String {
         self.choices[self.shown].source.name()
+    }
+
+    /// Whether what is looked at is nothing but stars.
+    pub fn is_stars(&self) -> bool {
+        self.choices[self.shown].source == SkySource::Stars
     }
 
     /// The one after it.

@@ -5,6 +5,7 @@ use super::plan::Plan;
 use super::{WindowError, screenshot};
 use crate::gpu::{Gpu, GpuError, Lap, Live, Presenter, Renderer, SkyOnDevice, Stopwatch, Timed};
 use crate::sky::Sky;
+use crate::stars::StarField;
 use lensbake_tables::Row;
 use std::sync::Arc;
 use wgpu::*;
@@ -32,8 +33,8 @@ pub enum Shown {
 }
 
 impl Stage {
-    /// A stage for `window`, before `sky`, with rows of the shape of `row`. Returns the sky on the device
-    /// with it.
+    /// A stage for `window`, before `sky`, with rows of the shape of `row` and a direct integrator of this
+    /// step, rad. Returns the sky on the device with it.
     ///
     /// # Errors
     /// [`WindowError::Gpu`] if there is no GPU, or it cannot draw to the window.
@@ -41,6 +42,7 @@ impl Stage {
         window: Arc<Window>,
         sky: &Sky,
         row: &Row,
+        step: f64,
     ) -> Result<(Self, SkyOnDevice), WindowError> {
         let (gpu, surface) = Gpu::open_for(window.clone())?;
         let capabilities = surface.get_capabilities(gpu.adapter());
@@ -62,7 +64,7 @@ impl Stage {
         surface.configure(&gpu.device, &config);
         let renderer = Renderer::new(&gpu, sky)?;
         let on_device = renderer.sky();
-        let live = Live::new(renderer, row, [1, 1]);
+        let live = Live::new(renderer, row, [1, 1], &[step]);
         let stage = Stage {
             presenter: Presenter::new(&gpu, &live, format),
             stopwatch: Stopwatch::new(&gpu),
@@ -125,6 +127,13 @@ impl Stage {
     /// Draws before this sky from now on.
     pub fn set_sky(&mut self, sky: &SkyOnDevice) {
         self.live.renderer().set_sky(sky);
+        self.drawn = None;
+    }
+
+    /// Draws the stars of `field` before the sky from now on, or none.
+    pub fn set_stars(&mut self, field: Option<&StarField>) {
+        self.live.set_stars(field);
+        self.presenter.follow(&self.gpu, &self.live);
         self.drawn = None;
     }
 

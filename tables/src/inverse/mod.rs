@@ -1,0 +1,301 @@
+//! The inverse of a row: from where a point of the sky is to where it is seen.
+//!
+//! The *unwrapped* sky angle ϑ = θ − Δ(θ) of the light seen at θ grows strictly with θ, from −∞ at the
+//! shadow's edge to π straight away from the hole. A star at the angle β from the direction of the hole
+//! is therefore seen once for each ϑ = β, −β, β − 2π, −β − 2π, …: on its own side of the hole, on the
+//! other side, and again on either side with each further turn of the light. The magnification of an image
+//! is μ = sin θ dθ / (|sin ϑ| dϑ).
+//!
+//! The inverse row holds θ(ϑ). Far away θ − θ_c is that of a weak lens with Einstein's angle θ_E = √(2/r),
+//!
+//! ```text
+//! θ_w = (ϑ + √(ϑ² + 4 θ_E²)) / 2 = θ_E e^v,     ϑ = 2 θ_E sinh v
+//! ```
+//!
+//! and at the edge ln(θ − θ_c) → ϑ + const. So what is stored is Λ = ln((θ − θ_c)/θ_w), next to nothing far
+//! away and smooth everywhere, against v, which resolves the bend of width θ_E however narrow it is. The
+//! slope of Λ keeps the magnification of the faintest winding to the same relative accuracy. That makes 64
+//! texels enough at every radius.
+//!
+//! Between texels the interpolation is cubic Hermite, as in the row itself.
+
+mod gpu;
+
+pub use gpu::{GpuImage, GpuInverseRow, Inverse, WGSL, exp_arsinh, wgsl_row};
+
+use crate::{Interpolation, Row};
+use lensbake_core::{BendAndSlope, CoreError, EdgeCoordinate, Fate, Observer};
+use std::f64::consts::PI;
+
+/// Texels of an inverse row: 512 bytes on a GPU, as the row itself.
+pub const INVERSE_TEXELS: u32 = 64;
+
+/// ϑ of the first texel, rad. Below it ln(θ − θ_c) is a straight line to 1e-6.
+const FIRST: f64 = -5.0 * PI;
+
+/// Where a point of the sky is seen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Image {
+    /// θ, the view angle from the direction of the hole, rad.
+    pub theta: f64,
+    /// dθ/dϑ > 0: how much the image is stretched along the view angle.
+    pub stretch: f64,
+}
+
+/// One observer's inverse row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InverseRow {
+    observer: Observer,
+    scale: f64,
+    first: f64,
+    per_texel: f64,
+    texels: Vec<[f64; 2]>,
+}
+
+impl InverseRow {
+    /// The inverse of `row`: θ to 4e-7 rad, dθ/dϑ to 2e-4 of itself, from r = 1.001 to 1e6.
+    ///
+    /// # Errors
+    /// [`CoreError::FarHasNoAngle`] for the observer at infinity, who sees the hole as a point.
+    pub fn new(row: &Row) -> Result<Self, CoreError> {
+        Self::of(*row.observer(), |at| row.bend_and_slope(at))
+    }
+
+    /// The inverse of any `bending` that grows towards the edge without bound, as `observer` sees it.
+    ///
+    /// # Errors
+    /// As [`InverseRow::new`].
+    pub fn of(
+        observer: Observer,
+        bending: impl Fn(EdgeCoordinate) -> Fate<BendAndSlope>,
+    ) -> Result<Self, CoreError> {
+        if observer.is_far() {
+            return Err(CoreError::FarHasNoAngle);
+        }
+        let scale = 2.0 * (2.0 * observer.inverse_radius()).sqrt();
+        let (first, last) = ((FIRST / scale).asinh(), (PI / scale).asinh());
+        let per_texel = (last - first) / f64::from(INVERSE_TEXELS - 1);
+        // From straight away, where θ = ϑ = π and dθ/dϑ = √(1−1/r), towards the edge: each texel starts
+        // from the last one's tangent.
+        let mut texels = vec![[0.0; 2]; INVERSE_TEXELS as usize];
+        let mut log_offset = (PI - observer.edge_angle()).ln();
+        let mut slope = observer.lapse() * PI.hypot(scale) / log_offset.exp();
+        for i in (0..INVERSE_TEXELS).rev() {
+            let v = first + f64::from(i) * per_texel;
+            let sky_angle = scale * v.sinh();
+            if i < INVERSE_TEXELS - 1 {
+                let from = log_offset - slope * per_texel;
+                (log_offset, slope) = solve(&observer, &bending, sky_angle, from);
+                slope *= scale * v.cosh();
+            }
+            // θ_w = (scale/2) e^v, so that its logarithm has the slope 1.
+            let weak = v + (0.5 * scale).ln();
+            texels[i as usize] = [log_offset - weak, (slope - 1.0) * per_texel];
+        }
+        Ok(InverseRow {
+            observer,
+            scale,
+            first,
+            per_texel,
+            texels,
+        })
+    }
+
+    /// Whose inverse row it is.
+    pub fn observer(&self) -> &Observer {
+        &self.observer
+    }
+
+    /// Where the light that comes from the unwrapped sky angle `sky_angle` ≤ π (rad) is seen.
+    pub fn image(&self, sky_angle: f64) -> Image {
+        let last = f64::from(INVERSE_TEXELS - 1);
+        // Beyond the first texel the light turns further, and ln(θ − θ_c) falls by as much.
+        let inside = sky_angle.max(FIRST);
+        let v = (inside / self.scale).asinh();
+        let q = (v - self.first) / (self.per_texel * last);
+        let stored = Interpolation::Hermite.between(&self.texels, q);
+        let weak = 0.5 * self.scale * v.exp();
+        let offset = weak * (stored.value + (sky_angle - inside)).exp();
+        let slope = 1.0 + stored.slope / (self.per_texel * last);
+        Image {
+            theta: self.observer.edge_angle() + offset,
+            stretch: offset * slope / inside.hypot(self.scale),
+        }
+    }
+}
+
+impl Image {
+    /// How many times brighter than without the hole a point is seen that lies at the unwrapped sky angle
+    /// `sky_angle` (rad): μ = sin θ dθ / (|sin ϑ| dϑ). It grows without bound towards the axis, except
+    /// for the one image straight away from the hole.
+    pub fn magnification(&self, sky_angle: f64) -> f64 {
+        // There both sines vanish; their ratio is dθ/dϑ to (π − ϑ)².
+        if PI - sky_angle < 1e-4 {
+            return self.stretch * self.stretch;
+        }
+        self.flux_per_sine() / sky_angle.sin().abs()
+    }
+
+    /// sin θ dθ/dϑ: the magnification times |sin ϑ|, which stays finite on the axis.
+    pub fn flux_per_sine(&self) -> f64 {
+        self.theta.sin() * self.stretch
+    }
+}
+
+/// ln(θ − θ_c) at the θ with θ − Δ(θ) = `sky_angle`, and its derivative by ϑ, by Newton's method from
+/// `from`.
+fn solve(
+    observer: &Observer,
+    bending: impl Fn(EdgeCoordinate) -> Fate<BendAndSlope>,
+    sky_angle: f64,
+    from: f64,
+) -> (f64, f64) {
+    const MOST_STEPS: usize = 30;
+    let edge = observer.edge_angle();
+    let mut log_offset = from;
+    let mut slope = 1.0;
+    for _ in 0..MOST_STEPS {
+        let offset = log_offset.exp().min(PI - edge);
+        let at = observer.edge_coordinate(edge + offset);
+        // Inside the edge by rounding only: FIRST is seven digits outside.
+        let Fate::Escapes(BendAndSlope { bend, slope: by_x }) = bending(at) else {
+            break;
+        };
+        let stretch = 1.0 - by_x / observer.view_angle_slope(at.x);
+        slope = 1.0 / (offset * stretch);
+        let step = (sky_angle - (edge + offset - bend)) * slope;
+        log_offset = offset.ln() + step;
+        if step.abs() < 1e-13 {
+            break;
+        }
+    }
+    (log_offset, slope)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::default_atlas;
+    use lensbake_core::exact;
+
+    fn inverse(r: f64) -> InverseRow {
+        let row = default_atlas().row(Observer::at(r).unwrap()).unwrap();
+        InverseRow::new(&row).unwrap()
+    }
+
+    /// ϑ(θ) by the closed form.
+    fn sky_angle(observer: &Observer, theta: f64) -> f64 {
+        theta
+            - exact::bend(&observer.ray(theta).unwrap())
+                .escaped()
+                .unwrap()
+    }
+
+    /// View angles from the shadow's edge, seven decades outside it, to straight away.
+    fn view_angles(observer: &Observer) -> impl Iterator<Item = f64> {
+        let edge = observer.edge_angle();
+        (1..=2000)
+            .map(move |i| edge + (PI - edge) * 10f64.powf(-7.0 * f64::from(i) / 2000.0))
+            .chain((0..=500).map(move |i| PI - (PI - edge) * f64::from(i) / 501.0))
+    }
+
+    const RADII: [f64; 12] = [
+        1.001, 1.05, 1.2, 1.5, 2.0, 3.0, 5.0, 10.0, 25.0, 1e3, 1e5, 1e6,
+    ];
+
+    #[test]
+    fn the_inverse_is_good_to_4e_7_rad_and_its_slope_to_2e_4() {
+        for r in RADII {
+            let inverse = inverse(r);
+            let observer = *inverse.observer();
+            let (mut theta_error, mut stretch_error) = (0.0_f64, 0.0_f64);
+            for theta in view_angles(&observer) {
+                let image = inverse.image(sky_angle(&observer, theta));
+                theta_error = theta_error.max((image.theta - theta).abs());
+                let offset = theta - observer.edge_angle();
+                // Nearer to the edge or to straight away, differences of the closed form are rounding.
+                if offset > 1e-6 && PI - theta > 1e-3 {
+                    let h = 1e-3 * offset.min(PI - theta);
+                    let rise = sky_angle(&observer, theta + h) - sky_angle(&observer, theta - h);
+                    stretch_error =
+                        stretch_error.max((image.stretch * rise / (2.0 * h) - 1.0).abs());
+                }
+            }
+            println!("r {r}: {theta_error:.1e} rad, slope {stretch_error:.1e}");
+            assert!(theta_error < 4e-7, "r {r}: {theta_error:e} rad");
+            assert!(stretch_error < 2e-4, "r {r}: slope {stretch_error:e}");
+        }
+    }
+
+    /// The deflection of a distant ray is x times r_s/(r T): the lens equation of weak fields.
+    #[test]
+    fn a_distant_hole_has_its_einstein_ring() {
+        for r in [1e4, 1e6] {
+            let theta = inverse(r).image(0.0).theta;
+            let einstein = f64::sqrt(2.0 / r);
+            assert!(
+                (theta / einstein - 1.0).abs() < 2.0 * einstein,
+                "r {r}: {theta}"
+            );
+        }
+    }
+
+    /// The sum of a distant point lens' two magnifications is (u² + 2)/(u √(u² + 4)), β = u θ_E
+    /// (Paczyński 1986, Astrophys. J. 304, 1).
+    #[test]
+    fn a_distant_hole_magnifies_as_a_point_lens() {
+        let inverse = inverse(1e6);
+        let einstein = f64::sqrt(2.0 / 1e6);
+        for u in [0.01, 0.1, 0.5, 1.0, 2.0, 5.0] {
+            let beta = u * einstein;
+            let sum: f64 = [beta, -beta]
+                .map(|angle| inverse.image(angle).magnification(angle))
+                .iter()
+                .sum();
+            let expected = (u * u + 2.0) / (u * (u * u + 4.0).sqrt());
+            assert!(
+                (sum / expected - 1.0).abs() < 1e-3,
+                "u {u}: {sum} for {expected}"
+            );
+        }
+    }
+
+    #[test]
+    fn straight_away_the_magnification_is_one_over_the_rate_of_the_clock() {
+        for r in RADII {
+            let inverse = inverse(r);
+            let lapse = inverse.observer().lapse();
+            for angle in [PI, PI - 5e-5, PI - 2e-4, PI - 1e-2] {
+                let mu = inverse.image(angle).magnification(angle);
+                assert!(
+                    (mu / (lapse * lapse) - 1.0).abs() < 1e-3,
+                    "r {r}: {mu} at {angle}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn the_twin_in_f32_follows() {
+        for r in RADII {
+            let inverse = inverse(r);
+            let twin = GpuInverseRow::new(&inverse);
+            for i in 0..4000 {
+                let angle = (PI - 7.0 * PI * f64::from(i) / 4000.0) as f32;
+                let (image, theirs) = (inverse.image(angle.into()), twin.image(angle));
+                let [cos, sin] = theirs.cos_sin.map(f64::from);
+                let (sin_theta, cos_theta) = image.theta.sin_cos();
+                let off = (cos - cos_theta).hypot(sin - sin_theta);
+                assert!(off < 1.5e-6, "r {r}, {angle}: {off:e}");
+                let stretch = f64::from(theirs.stretch) / image.stretch;
+                assert!((stretch - 1.0).abs() < 5e-5, "r {r}, {angle}: {stretch}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_observer_at_infinity_has_none() {
+        let row = default_atlas().row(Observer::far()).unwrap();
+        assert_eq!(InverseRow::new(&row), Err(CoreError::FarHasNoAngle));
+    }
+}

@@ -1,0 +1,158 @@
+//! The WGSL of the inverse row against its Rust twin, function for function, on whatever adapter is there.
+
+use lensbake_core::Observer;
+use lensbake_tables::inverse::{self, GpuInverseRow, exp_arsinh};
+use lensbake_tables::{InverseRow, default_atlas, lookup};
+use lensbake_tests::gpu;
+use std::f32::consts::PI;
+use viewer::gpu::Gpu;
+use wgpu::util::DeviceExt;
+use wgpu::*;
+
+/// Reads a sky angle each, and writes what each function makes of it.
+const PROBE: &str = "
+@group(0) @binding(0) var<storage, read> angles: array<f32>;
+@group(0) @binding(2) var<storage, read_write> probes: array<array<f32, 6>>;
+@compute @workgroup_size(64)
+fn probe(@builtin(global_invocation_id) id: vec3<u32>) {
+    if id.x >= arrayLength(&angles) { return; }
+    let a = angles[id.x];
+    let seen = image(a, INVERSE);
+    let t = cos_sin(a);
+    probes[id.x] = array(seen.cos_sin.x, seen.cos_sin.y, seen.stretch, magnification(seen, a, abs(t.y)),
+        exp_arsinh(a), angle(t.x, abs(t.y)));
+}";
+
+fn probe(gpu: &Gpu, row: &GpuInverseRow, angles: &[f32]) -> Vec<[f32; 6]> {
+    let at = row.inverse;
+    let constants = format!(
+        "const INVERSE = Inverse({:e}, {:e}, {:e}, {:e}, {:e});\n",
+        at.edge, at.scale, at.first_angle, at.first, at.texels_per_v
+    );
+    let source = [
+        &inverse::wgsl_row(0, 1),
+        lookup::ARITHMETIC_WGSL,
+        inverse::WGSL,
+        &constants,
+        PROBE,
+    ]
+    .join("\n");
+    let device = &gpu.device;
+    let module = device.create_shader_module(ShaderModuleDescriptor {
+        label: None,
+        source: ShaderSource::Wgsl(source.into()),
+    });
+    let pipeline = device.create_compute_pipeline(&ComputePipelineDescriptor {
+        label: None,
+        layout: None,
+        module: &module,
+        entry_point: Some("probe"),
+        compilation_options: Default::default(),
+        cache: None,
+    });
+    let input = device.create_buffer_init(&util::BufferInitDescriptor {
+        label: None,
+        contents: bytemuck::cast_slice(angles),
+        usage: BufferUsages::STORAGE,
+    });
+    let texels = device.create_texture_with_data(
+        &gpu.queue,
+        &TextureDescriptor {
+            label: None,
+            size: Extent3d {
+                width: row.texels.len() as u32,
+                height: 1,
+                depth_or_array_layers: 1,
+            },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: TextureDimension::D1,
+            format: TextureFormat::Rg32Float,
+            usage: TextureUsages::TEXTURE_BINDING,
+            view_formats: &[],
+        },
+        util::TextureDataOrder::LayerMajor,
+        bytemuck::cast_slice(&row.texels),
+    );
+    let view = texels.create_view(&Default::default());
+    let buffer = |usage| {
+        device.create_buffer(&BufferDescriptor {
+            label: None,
+            size: size_of::<[f32; 6]>() as u64 * angles.len() as u64,
+            usage,
+            mapped_at_creation: false,
+        })
+    };
+    let written = buffer(BufferUsages::STORAGE | BufferUsages::COPY_SRC);
+    let read_back = buffer(BufferUsages::COPY_DST | BufferUsages::MAP_READ);
+    let entry = |binding, resource| BindGroupEntry { binding, resource };
+    let bind_group = device.create_bind_group(&BindGroupDescriptor {
+        label: None,
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &[
+            entry(0, input.as_entire_binding()),
+            entry(1, BindingResource::TextureView(&view)),
+            entry(2, written.as_entire_binding()),
+        ],
+    });
+    let mut encoder = device.create_command_encoder(&Default::default());
+    {
+        let mut pass = encoder.begin_compute_pass(&Default::default());
+        pass.set_pipeline(&pipeline);
+        pass.set_bind_group(0, &bind_group, &[]);
+        pass.dispatch_workgroups((angles.len() as u32).div_ceil(64), 1, 1);
+    }
+    encoder.copy_buffer_to_buffer(&written, 0, &read_back, 0, read_back.size());
+    gpu.queue.submit([encoder.finish()]);
+    gpu.read(&read_back).unwrap()
+}
+
+#[test]
+#[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
+fn the_gpu_finds_the_images_that_its_rust_twin_finds() {
+    let gpu = gpu();
+    // From straight away to beyond the first texel, crowding the axis before and behind.
+    let even = (0..4000).map(|i| PI - 6.0 * PI * i as f32 / 4000.0);
+    let crowd = (0..300).flat_map(|i| {
+        let offset = 10f32.powf(-(i as f32) / 60.0);
+        [
+            offset,
+            -offset,
+            PI - offset,
+            offset - PI,
+            -2.0 * PI - offset,
+        ]
+    });
+    let angles: Vec<f32> = even.chain(crowd).collect();
+    let mut compared = 0;
+    for r in [1.01, 1.3, 2.0, 5.0, 25.0, 1000.0, 1e5] {
+        let observer = Observer::at(r).unwrap();
+        let row = InverseRow::new(&default_atlas().row(observer).unwrap()).unwrap();
+        let row = GpuInverseRow::new(&row);
+        for (&angle, found) in angles.iter().zip(probe(&gpu, &row, &angles)) {
+            let at = format!("r {r}, {angle}: {found:?}");
+            let [cos, sin, stretch, magnification, grown, angle_found] = found;
+            let twin = row.image(angle);
+            assert!(
+                (cos - twin.cos_sin[0]).hypot(sin - twin.cos_sin[1]) < 1.5e-6,
+                "{at} {twin:?}"
+            );
+            assert!((stretch / twin.stretch - 1.0).abs() < 5e-5, "{at} {twin:?}");
+            let [c, s] = lookup::cos_sin(angle);
+            let expected = twin.magnification(angle, s.abs());
+            // Beside the axis the sine itself is rounding.
+            let rounding = 1e-6 / s.abs().max(1e-6);
+            assert!(
+                (magnification / expected - 1.0).abs() < 2e-4 + rounding,
+                "{at}: {expected}"
+            );
+            assert!((grown / exp_arsinh(angle) - 1.0).abs() < 1e-6, "{at}");
+            assert!(
+                (angle_found - lookup::angle(c, s.abs())).abs() < 1e-6,
+                "{at}"
+            );
+            compared += 1;
+        }
+    }
+    assert!(compared > 30_000, "{compared}");
+}

@@ -1,0 +1,10 @@
+// Nobody bends the light: a black sphere before the undeflected sky. Twin of Lens::Flat.
+fn star_image(sky_angle: f32, p: f32) -> StarImage {
+    let t = cos_sin(sky_angle);
+    let visible = sky_angle > 0.0 && (t.x <= 0.0 || p >= frame.u);
+    return StarImage(visible, vec2(t.x, p), 1.0);
+}
+
+fn point_share(c: f32, p: f32, straight: bool) -> f32 {
+    return 1.0;
+}

@@ -1,0 +1,147 @@
+//! A person's own catalogue: CSV with a first line that names the columns `ra`, `dec` (degrees), `mag`
+//! and, if known, `bv`, in any order and among any others.
+
+use super::{Catalogue, DEFAULT_DISC_RADIUS, MAX_STARS, Star, StarsProblem};
+use csv::{ErrorKind, ReaderBuilder, StringRecord, Trim};
+
+/// The catalogue in the CSV text `bytes`.
+///
+/// # Errors
+/// [`StarsProblem`] says which column is missing or which line is bad.
+pub(super) fn read(bytes: &[u8]) -> Result<Catalogue, StarsProblem> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let mut reader = ReaderBuilder::new()
+        .trim(Trim::All)
+        .flexible(true)
+        .comment(Some(b'#'))
+        .from_reader(bytes);
+    let columns = Columns::of(reader.headers().map_err(not_csv)?)?;
+    let mut stars = Vec::new();
+    let mut record = StringRecord::new();
+    while reader.read_record(&mut record).map_err(not_csv)? {
+        if stars.len() == MAX_STARS {
+            return Err(StarsProblem::TooMany { max: MAX_STARS });
+        }
+        stars.push(columns.star(&record)?);
+    }
+    Catalogue::new(stars, DEFAULT_DISC_RADIUS)
+}
+
+/// In which field of a line stands what.
+struct Columns {
+    ra: usize,
+    dec: usize,
+    mag: usize,
+    bv: Option<usize>,
+}
+
+impl Columns {
+    fn of(header: &StringRecord) -> Result<Self, StarsProblem> {
+        let find = |name: &str| {
+            header
+                .iter()
+                .position(|field| field.eq_ignore_ascii_case(name))
+        };
+        let need = |name| find(name).ok_or(StarsProblem::Column(name));
+        Ok(Columns {
+            ra: need("ra")?,
+            dec: need("dec")?,
+            mag: need("mag")?,
+            bv: find("bv"),
+        })
+    }
+
+    fn star(&self, record: &StringRecord) -> Result<Star, StarsProblem> {
+        let line = record.position().map_or(0, csv::Position::line);
+        let number = |column, index, range: std::ops::RangeInclusive<f64>, expected| {
+            let text = record.get(index).unwrap_or("");
+            match text.parse::<f64>() {
+                Ok(value) if range.contains(&value) => Ok(value),
+                _ => Err(StarsProblem::Value {
+                    line,
+                    column,
+                    found: text.escape_debug().take(30).collect(),
+                    expected,
+                }),
+            }
+        };
+        let degrees = "degrees from -360 to 360";
+        let magnitudes = "a magnitude from -30 to 30";
+        let colour = |index| {
+            number(
+                "bv",
+                index,
+                -5.0..=20.0,
+                "a colour index from -5 to 20, or empty",
+            )
+        };
+        let has_colour = |index: &usize| record.get(*index).is_some_and(|text| !text.is_empty());
+        Ok(Star {
+            right_ascension: number("ra", self.ra, -360.0..=360.0, degrees)?.to_radians(),
+            declination: number("dec", self.dec, -90.0..=90.0, "degrees from -90 to 90")?
+                .to_radians(),
+            magnitude: number("mag", self.mag, -30.0..=30.0, magnitudes)?,
+            colour_index: self.bv.filter(has_colour).map(colour).transpose()?,
+        })
+    }
+}
+
+fn not_csv(error: csv::Error) -> StarsProblem {
+    let line = error.position().map_or(1, csv::Position::line);
+    match error.into_kind() {
+        ErrorKind::Io(error) => StarsProblem::Io(error),
+        ErrorKind::Utf8 { .. } => StarsProblem::Line {
+            line,
+            reason: "it is not UTF-8",
+        },
+        _ => StarsProblem::Line {
+            line,
+            reason: "its fields cannot be told apart",
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn refused(text: &str) -> String {
+        read(text.as_bytes()).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn columns_may_stand_in_any_order_among_others() {
+        let text = "name, Mag ,DEC,bv,RA\n# a comment\nA,1.5,-30,0.6,90\r\n\"B, too\",-2,10,,-10\n";
+        let catalogue = read(text.as_bytes()).unwrap();
+        let [b, a] = catalogue.stars() else { panic!() };
+        assert_eq!((a.magnitude, a.colour_index), (1.5, Some(0.6)));
+        assert_eq!(a.right_ascension, 90f64.to_radians());
+        assert_eq!(a.declination, (-30f64).to_radians());
+        assert_eq!((b.magnitude, b.colour_index), (-2.0, None));
+        assert!(read(b"\xef\xbb\xbfra,dec,mag\n1,2,3\n").is_ok(), "a BOM");
+    }
+
+    #[test]
+    fn what_is_wrong_is_told_with_its_line() {
+        for (text, said) in [
+            ("", "no column 'ra'"),
+            ("ra,dec,mag\n", "no star"),
+            ("ra,mag\n1,2\n", "no column 'dec'"),
+            ("ra,dec,bv\n1,2,3\n", "no column 'mag'"),
+            ("ra,dec,mag\n1,2,3\n1,2,NaN\n", "line 3: mag is 'NaN'"),
+            ("ra,dec,mag\n1,inf,3\n", "line 2: dec is 'inf'"),
+            ("ra,dec,mag\n1,91,3\n", "line 2: dec is '91'"),
+            ("ra,dec,mag\nx,1,3\n", "line 2: ra is 'x'"),
+            ("ra,dec,mag\n1,2\n", "line 2: mag is ''"),
+            ("ra,dec,mag,bv\n1,2,3,blue\n", "line 2: bv is 'blue'"),
+        ] {
+            let told = refused(text);
+            assert!(told.contains(said), "{text:?}: {told}");
+            assert_eq!(told.lines().count(), 1, "{told}");
+        }
+        assert!(matches!(
+            read(b"ra,dec,mag\n\xff\xfe,2,3\n"),
+            Err(StarsProblem::Line { line: 2, .. })
+        ));
+    }
+}
