@@ -24,6 +24,7 @@ pub fn run(args: &ReferenceArgs) -> Result<Outcome, CommandError> {
         return print_costs(&gpu);
     }
     fs::create_dir_all(&args.output).map_err(folder)?;
+    print(csv::HEAD)?;
     let mut table = csv::HEAD.to_owned();
     let mut outcome = Outcome::Done;
     for (name, source) in SKIES {
@@ -35,7 +36,9 @@ pub fn run(args: &ReferenceArgs) -> Result<Outcome, CommandError> {
                 progress.reach(rows.into())
             })?;
             progress.finish();
-            table += &csv::lines(name, &found);
+            let lines = csv::lines(name, &found);
+            print(&lines)?;
+            table += &lines;
             if !found.is_good() {
                 eprintln!(
                     "viewer: the filtered {name} at {} misses its bar",
@@ -48,9 +51,6 @@ pub fn run(args: &ReferenceArgs) -> Result<Outcome, CommandError> {
         figure::write(&args.output.join(format!("{name}.png")), &studies)?;
     }
     write_whole(&args.output.join("filter.csv"), table.as_bytes()).map_err(folder)?;
-    io::stdout()
-        .write_all(table.as_bytes())
-        .map_err(CommandError::Stdout)?;
     eprintln!(
         "measured on {}; wrote {}",
         gpu.name(),
@@ -64,8 +64,17 @@ fn print_costs(gpu: &Gpu) -> Result<Outcome, CommandError> {
     let renderer = Renderer::new(gpu, &sky::load(&SkySource::Nebula)?)?;
     for radius in [25.0, 50.0, 10.0, 5.0, 2.0] {
         let cost = cost(&renderer, radius, (1920, 1080))?;
-        writeln!(io::stdout(), "{cost}").map_err(CommandError::Stdout)?;
+        print(&format!("{cost}\n"))?;
     }
     eprintln!("measured on {}", gpu.name());
     Ok(Outcome::Done)
+}
+
+/// To standard output, as soon as it is known.
+fn print(text: &str) -> Result<(), CommandError> {
+    let mut stdout = io::stdout();
+    stdout
+        .write_all(text.as_bytes())
+        .and_then(|()| stdout.flush())
+        .map_err(CommandError::Stdout)
 }
