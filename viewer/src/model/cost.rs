@@ -25,7 +25,7 @@ mod operations {
     pub const LINEAR: u32 = 82;
     pub const HERMITE: u32 = 99;
     /// Before and after the steps of direct integration.
-    pub const DIRECT: u32 = 76;
+    pub const DIRECT: u32 = 75;
     /// One step of it.
     pub const STEP: u32 = 31;
 }
