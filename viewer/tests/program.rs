@@ -216,7 +216,9 @@ fn stars_are_drawn_before_any_sky_and_from_a_persons_own_catalogue() {
         image::open(&out).unwrap().into_rgb8()
     };
     let picture = render("stars", &["--stars", &csv]);
-    assert_eq!(picture.get_pixel(32, 18).0, [255; 3]);
+    // White, as far as the tone map lets anything be.
+    let middle = picture.get_pixel(32, 18).0;
+    assert!(middle.iter().all(|&c| c >= 250), "{middle:?}");
     assert_eq!(picture.get_pixel(2, 2).0, [0; 3]);
     let dimmer = render("stars", &["--stars", &csv, "--star-exposure", "-9"]);
     let pixel = dimmer.get_pixel(32, 18).0[0];
