@@ -1,8 +1,9 @@
 //! What a picture in the making keeps on a GPU from frame to frame: its row, its frame blocks and what
 //! it is written to. Showing the next scene writes into these and makes nothing.
 
+use super::bindings::{bind_group, block_of};
 use super::blocks::{BLOCK, LIST_WIDTH, List, append_lists};
-use super::renderer::{Program, Renderer, SkyOnDevice, resource};
+use super::renderer::{Program, Renderer, SkyOnDevice};
 use super::stars::StarLists;
 use super::{Frame, Gpu, GpuError, Store, Tile};
 use crate::filtered::Pixels;
@@ -14,7 +15,7 @@ use wgpu::*;
 /// Bytes of a pixel in a [`Store::Buffer`].
 const PIXEL: u64 = size_of::<[f32; 4]>() as u64;
 /// Format of a [`Store::Texture`], as `shaders/store_texture.wgsl` has it.
-const TEXTURE_FORMAT: TextureFormat = TextureFormat::Rgba16Float;
+pub(super) const TEXTURE_FORMAT: TextureFormat = TextureFormat::Rgba16Float;
 
 /// What a frame is written to.
 #[derive(Debug)]
@@ -23,6 +24,16 @@ pub enum Target {
     Buffer(Buffer),
     /// The whole picture.
     Texture(TextureView),
+}
+
+impl Target {
+    /// As a shader sees it.
+    pub(super) fn binding(&self) -> BindingResource<'_> {
+        match self {
+            Target::Buffer(buffer) => buffer.as_entire_binding(),
+            Target::Texture(view) => BindingResource::TextureView(view),
+        }
+    }
 }
 
 /// The row, the frame blocks and the target of pictures of one size.
@@ -88,7 +99,7 @@ impl Canvas {
         let frame_stride = (size_of::<Frame>() as u64).next_multiple_of(alignment.into());
         let frames = frame_buffer(&device, tiles * frame_stride);
         let blocks = block_buffer(&device, 1);
-        let bind_group = bind_group(&device, layout, &frames, &row, &target, &blocks);
+        let bind_group = frame_group(&device, layout, &frames, &row, &target, &blocks);
         Canvas {
             queue: renderer.gpu.queue.clone(),
             layout: layout.clone(),
@@ -108,9 +119,9 @@ impl Canvas {
 
     /// The same canvas with room for the stars of `renderer` in pictures of `size` pixels.
     pub(super) fn with_lists(self, renderer: &Renderer, size: [u32; 2]) -> Self {
-        let stars = renderer.stars.clone();
+        let lists = |stars| StarLists::new(&renderer.gpu, stars, size);
         Canvas {
-            stars: stars.map(|stars| StarLists::new(&renderer.gpu, stars, size)),
+            stars: renderer.stars.clone().map(lists),
             ..self
         }
     }
@@ -192,7 +203,8 @@ impl Canvas {
         index: usize,
         timestamps: Option<ComputePassTimestampWrites>,
     ) {
-        let lists = self.stars.as_ref().filter(|_| index == 0);
+        let stars = self.stars.as_ref().filter(|_| program.sees_stars);
+        let lists = stars.filter(|_| index == 0);
         if let Some(lists) = lists {
             lists.clear(encoder);
         }
@@ -202,12 +214,12 @@ impl Canvas {
         });
         let offset = index as u64 * self.frame_stride;
         if let Some(lists) = lists {
-            lists.sort(&mut pass);
+            lists.make(&mut pass);
         }
         pass.set_bind_group(0, &self.bind_group, &[offset as u32]);
         pass.set_bind_group(1, sky, &[]);
-        if let Some(stars) = &self.stars {
-            pass.set_bind_group(2, stars.lists(), &[]);
+        if let Some(stars) = stars {
+            pass.set_bind_group(2, stars.reading(), &[]);
         }
         if let [pipeline] = &program.pipelines[..] {
             let [across, down] = self.tiles[index].count.map(|n| n.div_ceil(BLOCK));
@@ -229,7 +241,7 @@ impl Canvas {
         if frames > self.frames.size() || blocks > self.blocks.size() {
             self.frames = frame_buffer(&self.device, frames.max(self.frames.size()));
             self.blocks = block_buffer(&self.device, blocks.max(self.blocks.size()));
-            self.bind_group = bind_group(
+            self.bind_group = frame_group(
                 &self.device,
                 &self.layout,
                 &self.frames,
@@ -281,7 +293,7 @@ fn block_buffer(device: &Device, size: u64) -> Buffer {
     })
 }
 
-fn bind_group(
+fn frame_group(
     device: &Device,
     layout: &BindGroupLayout,
     frames: &Buffer,
@@ -289,26 +301,14 @@ fn bind_group(
     target: &Target,
     blocks: &Buffer,
 ) -> BindGroup {
-    let frame = BufferBinding {
-        buffer: frames,
-        offset: 0,
-        size: BufferSize::new(size_of::<Frame>() as u64),
-    };
     let row = row.create_view(&Default::default());
-    let target = match target {
-        Target::Buffer(buffer) => buffer.as_entire_binding(),
-        Target::Texture(view) => BindingResource::TextureView(view),
-    };
-    device.create_bind_group(&BindGroupDescriptor {
-        label: Some("frame"),
-        layout,
-        entries: &[
-            resource(0, BindingResource::Buffer(frame)),
-            resource(1, BindingResource::TextureView(&row)),
-            resource(2, target),
-            resource(3, blocks.as_entire_binding()),
-        ],
-    })
+    let resources = [
+        block_of::<Frame>(frames),
+        BindingResource::TextureView(&row),
+        target.binding(),
+        blocks.as_entire_binding(),
+    ];
+    bind_group(device, "frame", layout, resources)
 }
 
 /// Values and slopes, or the values alone where no slope is read.
@@ -335,12 +335,4 @@ fn row_texture(device: &Device, row: &Row) -> Texture {
         usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
         view_formats: &[],
     })
-}
-
-pub(super) fn storage_texture_binding() -> BindingType {
-    BindingType::StorageTexture {
-        access: StorageTextureAccess::WriteOnly,
-        format: TEXTURE_FORMAT,
-        view_dimension: TextureViewDimension::D2,
-    }
 }

@@ -1,5 +1,6 @@
 //! The GPU: the device, and the renderer that draws a [`crate::scene::Scene`] on it.
 
+mod bindings;
 mod blocks;
 mod canvas;
 mod device;
@@ -11,6 +12,7 @@ mod renderer;
 mod shader;
 mod stamps;
 mod stars;
+mod step;
 mod stopwatch;
 mod timer;
 

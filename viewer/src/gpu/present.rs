@@ -1,6 +1,6 @@
 //! From the finished picture to a window's pixels: `shaders/present.wgsl`.
 
-use super::renderer::{bind_group_layout, resource, texture_binding};
+use super::bindings::{bind_group, bind_group_layout, texture_binding, uniform_binding};
 use super::{Frame, Gpu, Live, Tile};
 use crate::camera::Camera;
 use crate::tone_map;
@@ -105,7 +105,7 @@ impl Presenter {
             queue: gpu.queue.clone(),
             pipelines: pipelines(device, &layout, format),
             fit: Fit::AsItIs,
-            bind_group: bind_group(device, &layout, &frame, &present, live),
+            bind_group: present_group(device, &layout, &frame, &present, live),
             layout,
             frame,
             present,
@@ -115,7 +115,7 @@ impl Presenter {
     /// Turns to the texture that `live` draws to now.
     pub fn follow(&mut self, gpu: &Gpu, live: &Live) {
         let (frame, present) = (&self.frame, &self.present);
-        self.bind_group = bind_group(&gpu.device, &self.layout, frame, present, live);
+        self.bind_group = present_group(&gpu.device, &self.layout, frame, present, live);
     }
 
     /// Sets what is shown next: a picture of `picture` pixels in a window whose own camera is `window`.
@@ -202,32 +202,25 @@ fn pipelines(
 }
 
 fn layout(device: &Device) -> BindGroupLayout {
-    let uniform = BindingType::Buffer {
-        ty: BufferBindingType::Uniform,
-        has_dynamic_offset: false,
-        min_binding_size: None,
-    };
+    let uniform = uniform_binding(false);
     let picture = texture_binding(TextureViewDimension::D2, false);
     let stages = ShaderStages::FRAGMENT;
     bind_group_layout(device, "present", stages, &[uniform, uniform, picture])
 }
 
-fn bind_group(
+fn present_group(
     device: &Device,
     layout: &BindGroupLayout,
     frame: &Buffer,
     present: &Buffer,
     live: &Live,
 ) -> BindGroup {
-    device.create_bind_group(&BindGroupDescriptor {
-        label: Some("present"),
-        layout,
-        entries: &[
-            resource(0, frame.as_entire_binding()),
-            resource(1, present.as_entire_binding()),
-            resource(2, BindingResource::TextureView(live.texture())),
-        ],
-    })
+    let resources = [
+        frame.as_entire_binding(),
+        present.as_entire_binding(),
+        BindingResource::TextureView(live.texture()),
+    ];
+    bind_group(device, "present", layout, resources)
 }
 
 #[cfg(test)]

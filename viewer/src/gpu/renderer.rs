@@ -1,7 +1,12 @@
 //! Draws scenes on a GPU.
 
-use super::canvas::storage_texture_binding;
+use super::bindings::{
+    bind_group, bind_group_layout, storage_buffer_binding, storage_texture_binding,
+    texture_binding, uniform_binding,
+};
+use super::canvas::TEXTURE_FORMAT;
 use super::stars::Stars;
+use super::step;
 use super::{
     Gpu, GpuError, Output, Passes, Prepared, Store, Target, Tile, entry_points, shader_source,
 };
@@ -33,6 +38,8 @@ const SKY_TEXEL: u32 = size_of::<[half::f16; 4]>() as u32;
 #[derive(Debug)]
 pub struct Program {
     pub(super) name: &'static str,
+    /// Whether stars stand before what it draws.
+    pub(super) sees_stars: bool,
     /// One for every pixel, or one for each list of blocks.
     pub(super) pipelines: Vec<ComputePipeline>,
 }
@@ -73,7 +80,10 @@ impl Renderer {
             sky: put_on_device(gpu, &sky_layout, sky),
             sky_layout,
             buffer_layout: frame_layout("frame to a buffer", storage_buffer_binding(false)),
-            texture_layout: frame_layout("frame to a texture", storage_texture_binding()),
+            texture_layout: frame_layout(
+                "frame to a texture",
+                storage_texture_binding(TEXTURE_FORMAT),
+            ),
             stars: None,
             gpu: gpu.clone(),
         };
@@ -148,33 +158,18 @@ impl Renderer {
             interpolation,
             stars.is_some(),
         );
-        let label = Some(output.name());
-        let module = device.create_shader_module(ShaderModuleDescriptor {
-            label,
-            source: ShaderSource::Wgsl(source.into()),
-        });
-        let groups = [Some(self.frame_layout(store)), Some(&self.sky_layout)];
-        let lists = stars.map(|stars| Some(&stars.list_layout));
+        let module = step::module(device, output.name(), source);
+        let groups = [self.frame_layout(store), &self.sky_layout];
+        let lists = stars.map(|stars| &stars.list_layout);
         let groups: Vec<_> = groups.into_iter().chain(lists).collect();
-        let layout = device.create_pipeline_layout(&PipelineLayoutDescriptor {
-            label,
-            bind_group_layouts: &groups,
-            immediate_size: 0,
-        });
-        let pipeline = |entry_point: &&str| {
-            device.create_compute_pipeline(&ComputePipelineDescriptor {
-                label: Some(entry_point),
-                layout: Some(&layout),
-                module: &module,
-                entry_point: Some(entry_point),
-                compilation_options: Default::default(),
-                cache: None,
-            })
-        };
-        let entry_points = entry_points(sampling, output);
+        let pipeline = |entry_point: &&str| step::pipeline(device, entry_point, &groups, &module);
         Program {
             name: output.name(),
-            pipelines: entry_points.iter().map(pipeline).collect(),
+            sees_stars: stars.is_some(),
+            pipelines: entry_points(sampling, output)
+                .iter()
+                .map(pipeline)
+                .collect(),
         }
     }
 
@@ -304,69 +299,12 @@ fn put_on_device(gpu: &Gpu, layout: &BindGroupLayout, sky: &Sky) -> SkyOnDevice 
         mipmap_filter: MipmapFilterMode::Linear,
         ..Default::default()
     });
-    let bind_group = gpu.device.create_bind_group(&BindGroupDescriptor {
-        label: Some("sky"),
-        layout,
-        entries: &[
-            resource(0, BindingResource::TextureView(&view)),
-            resource(1, BindingResource::Sampler(&sampler)),
-        ],
-    });
+    let resources = [
+        BindingResource::TextureView(&view),
+        BindingResource::Sampler(&sampler),
+    ];
     SkyOnDevice {
-        bind_group,
+        bind_group: bind_group(&gpu.device, "sky", layout, resources),
         face_texels: sky.face_texels(),
-    }
-}
-
-/// A layout of `bindings` in their order.
-pub(super) fn bind_group_layout(
-    device: &Device,
-    label: &str,
-    visibility: ShaderStages,
-    bindings: &[BindingType],
-) -> BindGroupLayout {
-    let entries: Vec<BindGroupLayoutEntry> = (0..)
-        .zip(bindings)
-        .map(|(binding, &ty)| BindGroupLayoutEntry {
-            binding,
-            visibility,
-            ty,
-            count: None,
-        })
-        .collect();
-    device.create_bind_group_layout(&BindGroupLayoutDescriptor {
-        label: Some(label),
-        entries: &entries,
-    })
-}
-
-pub(super) fn resource(binding: u32, resource: BindingResource<'_>) -> BindGroupEntry<'_> {
-    BindGroupEntry { binding, resource }
-}
-
-pub(super) fn uniform_binding(has_dynamic_offset: bool) -> BindingType {
-    BindingType::Buffer {
-        ty: BufferBindingType::Uniform,
-        has_dynamic_offset,
-        min_binding_size: None,
-    }
-}
-
-pub(super) fn storage_buffer_binding(read_only: bool) -> BindingType {
-    BindingType::Buffer {
-        ty: BufferBindingType::Storage { read_only },
-        has_dynamic_offset: false,
-        min_binding_size: None,
-    }
-}
-
-pub(super) fn texture_binding(
-    view_dimension: TextureViewDimension,
-    filterable: bool,
-) -> BindingType {
-    BindingType::Texture {
-        sample_type: TextureSampleType::Float { filterable },
-        view_dimension,
-        multisampled: false,
     }
 }

@@ -1,11 +1,5 @@
 // The light of the stars that falls on a pixel: the sum of its list, which stars.wgsl has made.
 
-struct Node {
-    light: vec3<f32>,
-    // 1 + the index of the next of the list; 0 at its end.
-    next: u32,
-}
-
 // After the number of nodes, 1 + the index of each pixel's first node, row-major.
 @group(2) @binding(0) var<storage, read> heads: array<u32>;
 @group(2) @binding(1) var<storage, read> nodes: array<Node>;
@@ -15,8 +9,8 @@ fn star_light(pixel: vec2<u32>) -> vec3<f32> {
     var light = vec3(0.0);
     while next != 0u {
         let node = nodes[next - 1u];
-        light += node.light;
-        next = node.next;
+        light += light_of(node);
+        next = next_of(node);
     }
     return light;
 }

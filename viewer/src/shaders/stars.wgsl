@@ -24,12 +24,6 @@ struct Piece {
     light: vec3<f32>,
 }
 
-// Of star_light.wgsl.
-struct Node {
-    light: vec3<f32>,
-    next: u32,
-}
-
 @group(0) @binding(1) var<uniform> lens: Lens;
 @group(0) @binding(2) var<storage, read> stars: array<Star>;
 @group(0) @binding(3) var<storage, read> pieces: array<Piece>;
@@ -65,7 +59,7 @@ fn insert(at: vec2<f32>, reach: f32, light: vec3<f32>) {
             let share = kernel_weight(vec2(f32(x), f32(y)) + 0.5 - at, reach);
             if share > 0.0 && index < arrayLength(&nodes) {
                 let next = atomicExchange(&heads[1u + y * frame.size.x + x], index + 1u);
-                nodes[index] = Node(light * share, next);
+                nodes[index] = packed(light * share, next);
             }
             index++;
         }

@@ -1,0 +1,170 @@
+//! The lists of stars of one canvas: what is made of them for a frame, and how it comes into the picture.
+
+use super::Stars;
+use super::data::{GpuLens, NODE, Piece, packed};
+use super::shader::WORKGROUP;
+use crate::gpu::bindings::bind_group;
+use crate::gpu::{Frame, Gpu, GpuError, Tile};
+use crate::scene::{Method, Scene};
+use crate::stars::draw::arc_splats;
+use crate::stars::images::Lens;
+use lensbake_tables::Row;
+use std::sync::Arc;
+use wgpu::*;
+
+/// Places in the lists of all pixels together, as many as `shaders/star_node.wgsl` can tell apart: 32 MiB.
+const NODES: u64 = (1 << 22) - 1;
+/// Pieces of arcs there is room for: those of some dozen stars on the axis.
+const PIECES: usize = 1 << 17;
+/// Images of stars there is room for; with the pieces, as many as one dispatch may have.
+const CANDIDATES: usize = 4_000_000;
+
+/// The lists of stars of one canvas.
+#[derive(Debug)]
+pub(in crate::gpu) struct StarLists {
+    stars: Arc<Stars>,
+    queue: Queue,
+    frame: Buffer,
+    lens: Buffer,
+    pieces: Buffer,
+    candidates: Buffer,
+    /// The number of nodes, and where the list of each pixel begins.
+    heads: Buffer,
+    making: BindGroup,
+    reading: BindGroup,
+    /// What is on the GPU: the method and the row that the lens was made of.
+    shown: Option<(Method, Row, Lens)>,
+    invocations: u32,
+    /// Whether there are more stars than there is room for.
+    full: bool,
+}
+
+impl StarLists {
+    /// Lists for pictures of `size` pixels.
+    pub(in crate::gpu) fn new(gpu: &Gpu, stars: Arc<Stars>, size: [u32; 2]) -> Self {
+        let device = &gpu.device;
+        let buffer = |label, size, usage| {
+            device.create_buffer(&BufferDescriptor {
+                label: Some(label),
+                size,
+                usage: usage | BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            })
+        };
+        let uniform = |label, bytes: usize| buffer(label, bytes as u64, BufferUsages::UNIFORM);
+        let frame = uniform("frame of the stars", size_of::<Frame>());
+        let lens = uniform("lens", size_of::<GpuLens>());
+        let storage = |label, bytes| buffer(label, bytes, BufferUsages::STORAGE);
+        let pieces = storage("pieces of arcs", (PIECES * size_of::<Piece>()) as u64);
+        let candidates = storage("candidates", 4 * CANDIDATES as u64);
+        let [width, height] = size.map(u64::from);
+        let usage = BufferUsages::STORAGE | BufferUsages::COPY_SRC;
+        let heads = buffer("heads", 4 * (1 + width * height), usage);
+        let nodes = storage("nodes", NODES * NODE);
+        let made_of = [
+            &frame,
+            &lens,
+            &stars.buffer,
+            &pieces,
+            &heads,
+            &nodes,
+            &candidates,
+        ];
+        let making = made_of.map(Buffer::as_entire_binding);
+        let reading = [&heads, &nodes].map(Buffer::as_entire_binding);
+        StarLists {
+            making: bind_group(device, "stars to lists", &stars.bent.layout, making),
+            reading: bind_group(device, "lists of stars", &stars.list_layout, reading),
+            queue: gpu.queue.clone(),
+            stars,
+            frame,
+            lens,
+            pieces,
+            candidates,
+            heads,
+            shown: None,
+            invocations: 0,
+            full: false,
+        }
+    }
+
+    /// Sets what the next lists are made of: the stars as the camera of `scene` sees them. The inverse row
+    /// is made anew only for another row or method.
+    pub(in crate::gpu) fn show(&mut self, scene: &Scene) {
+        let shown = self.shown.as_ref();
+        if shown.is_none_or(|(method, row, _)| *method != scene.method || *row != scene.row) {
+            let Ok(lens) = Lens::of(scene) else {
+                unreachable!("a camera is at no infinite distance");
+            };
+            self.shown = Some((scene.method, scene.row.clone(), lens));
+        }
+        let Some((.., lens)) = &self.shown else {
+            return;
+        };
+        let field = &self.stars.field;
+        let radius = field.disc_radius;
+        let found = self.stars.cells.candidates(&scene.camera, lens, radius);
+        let points = found.points.iter().take(CANDIDATES).map(packed);
+        let points: Vec<u32> = points.collect();
+        let on_axis = found.arcs.iter().map(|i| &field.stars[*i as usize]);
+        let splats = arc_splats(&scene.camera, lens, on_axis, radius);
+        let pieces: Vec<Piece> = splats.iter().take(PIECES).map(Piece::from).collect();
+        self.full = found.points.len() > CANDIDATES || splats.len() > PIECES;
+        let counts = [points.len(), pieces.len()].map(|n| n as u32);
+        self.invocations = counts.iter().sum();
+        let block = GpuLens::new(lens, radius, counts);
+        let camera = &scene.camera;
+        let whole = Tile {
+            first: [0, 0],
+            count: [camera.width, camera.height],
+        };
+        let frame = Frame::new(camera, whole, 1.0);
+        let write = |buffer, bytes| self.queue.write_buffer(buffer, 0, bytes);
+        write(&self.frame, bytemuck::bytes_of(&frame));
+        write(&self.lens, bytemuck::bytes_of(&block));
+        write(&self.pieces, bytemuck::cast_slice(&pieces));
+        write(&self.candidates, bytemuck::cast_slice(&points));
+    }
+
+    /// Encodes the emptying of the lists, which must come before [`StarLists::make`].
+    pub(in crate::gpu) fn clear(&self, encoder: &mut CommandEncoder) {
+        encoder.clear_buffer(&self.heads, 0, None);
+    }
+
+    /// Encodes the making of the lists.
+    pub(in crate::gpu) fn make(&self, pass: &mut ComputePass) {
+        let making = match &self.shown {
+            Some((.., Lens::Flat(_))) => &self.stars.flat,
+            _ => &self.stars.bent,
+        };
+        pass.set_pipeline(&making.pipeline);
+        pass.set_bind_group(0, &self.making, &[]);
+        pass.dispatch_workgroups(self.invocations.div_ceil(WORKGROUP), 1, 1);
+    }
+
+    /// The lists as a picture reads them.
+    pub(in crate::gpu) fn reading(&self) -> &BindGroup {
+        &self.reading
+    }
+
+    /// Checks that the lists that were made last have held all the light.
+    ///
+    /// # Errors
+    /// [`GpuError::TooManyStars`] if they have not, [`GpuError::Failed`] if the device fails.
+    pub(in crate::gpu) fn check(&self, gpu: &Gpu) -> Result<(), GpuError> {
+        let count = gpu.device.create_buffer(&BufferDescriptor {
+            label: Some("number of nodes"),
+            size: 4,
+            usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        encoder.copy_buffer_to_buffer(&self.heads, 0, &count, 0, 4);
+        gpu.queue.submit([encoder.finish()]);
+        let count: Vec<u32> = gpu.read(&count)?;
+        if self.full || u64::from(count[0]) > NODES {
+            return Err(GpuError::TooManyStars);
+        }
+        Ok(())
+    }
+}

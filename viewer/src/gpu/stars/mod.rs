@@ -1,0 +1,60 @@
+//! Stars on a GPU. A first dispatch finds the images of every star and puts the light that falls on each
+//! pixel into the pixel's list; the picture adds up the lists. So the light is summed in f32, which no
+//! integer atomic and no blending into 16-bit floats would give, on any device that can compute.
+
+mod data;
+mod lists;
+mod shader;
+
+pub(super) use lists::StarLists;
+pub(super) use shader::light_source;
+
+use super::Gpu;
+use super::bindings::{bind_group_layout, storage_buffer_binding, uniform_binding};
+use super::step::Step;
+use crate::stars::StarField;
+use crate::stars::cells::Cells;
+use data::GpuStar;
+use wgpu::util::DeviceExt;
+use wgpu::*;
+
+/// Stars on a device, and the pipelines that draw them.
+#[derive(Debug)]
+pub(super) struct Stars {
+    field: StarField,
+    cells: Cells,
+    buffer: Buffer,
+    bent: Step,
+    flat: Step,
+    pub(super) list_layout: BindGroupLayout,
+}
+
+impl Stars {
+    pub(super) fn new(gpu: &Gpu, field: &StarField) -> Self {
+        let device = &gpu.device;
+        let stars: Vec<GpuStar> = field.stars.iter().map(GpuStar::from).collect();
+        let lists = |lens| {
+            let (read, write) = (storage_buffer_binding(true), storage_buffer_binding(false));
+            let uniform = uniform_binding(false);
+            let bindings = [uniform, uniform, read, read, write, write, read];
+            Step::new(device, "sort_stars", &bindings, &shader::lists(lens))
+        };
+        Stars {
+            buffer: device.create_buffer_init(&util::BufferInitDescriptor {
+                label: Some("stars"),
+                contents: bytemuck::cast_slice(&stars),
+                usage: BufferUsages::STORAGE,
+            }),
+            bent: lists(shader::BENT),
+            flat: lists(shader::FLAT),
+            list_layout: bind_group_layout(
+                device,
+                "lists of stars",
+                ShaderStages::COMPUTE,
+                &[storage_buffer_binding(true), storage_buffer_binding(true)],
+            ),
+            cells: Cells::new(field),
+            field: field.clone(),
+        }
+    }
+}
