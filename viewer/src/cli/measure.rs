@@ -1,5 +1,6 @@
 //! Options of what measures.
 
+use super::scene::DeviceName;
 use super::values::size;
 use clap::Args;
 use std::path::PathBuf;
@@ -66,4 +67,28 @@ pub struct ReferenceArgs {
     /// Rays along the side of a pixel of the reference.
     #[arg(long, value_name = "N", default_value_t = 32, value_parser = clap::value_parser!(u32).range(2..=64))]
     pub rays: u32,
+}
+
+/// Options of `viewer flicker`.
+#[derive(Debug, Args)]
+pub struct FlickerArgs {
+    /// Folder to write flicker.csv and flicker.png to.
+    #[arg(short, long, value_name = "DIR", default_value = "docs/stars")]
+    pub output: PathBuf,
+    /// Size of the pictures.
+    #[arg(long, value_name = "WxH", default_value = "480x270", value_parser = size)]
+    pub size: (u32, u32),
+    /// Radius of the orbit, above 1 (the horizon).
+    #[arg(short, long, value_name = "R", default_value_t = View::default().radius, allow_negative_numbers = true)]
+    pub radius: f64,
+    /// Frames of the orbit.
+    #[arg(long, value_name = "N", default_value_t = 240, value_parser = clap::value_parser!(u32).range(8..=10_000))]
+    pub frames: u32,
+    /// Stars: the brightest of Hipparcos that come into the pictures.
+    #[arg(long, value_name = "N", default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub stars: u32,
+    /// What draws three of the stars once more, beside the CPU: `gpu`, `auto` if there is one, `cpu` for
+    /// nothing.
+    #[arg(short, long, value_enum, default_value_t = DeviceName::Auto)]
+    pub device: DeviceName,
 }

@@ -6,7 +6,7 @@ mod scene;
 mod values;
 
 pub use draw::{CatalogueArgs, DiffArgs, RenderArgs, StarArgs, WindowArgs};
-pub use measure::{BenchArgs, ChartArgs, ReferenceArgs};
+pub use measure::{BenchArgs, ChartArgs, FlickerArgs, ReferenceArgs};
 pub use scene::{DeviceName, MethodName, SamplingName, SceneArgs, ViewArgs};
 
 use clap::{Parser, Subcommand};
@@ -40,6 +40,8 @@ pub enum Command {
     Bench(BenchArgs),
     /// Measure the filtered picture against many rays a pixel by direct integration.
     Reference(ReferenceArgs),
+    /// Measure how much stars flicker in an orbit, against the analytic curve of their light.
+    Flicker(FlickerArgs),
     /// Turn the raw Hipparcos file, hip2.dat of CDS I/311, into the compact catalogue.
     Catalogue(CatalogueArgs),
 }
