@@ -12,6 +12,7 @@ pub mod cpu;
 pub mod deflect;
 pub mod diff;
 pub mod filtered;
+pub mod flicker;
 pub mod footprint;
 pub mod gpu;
 pub mod heat_map;

@@ -21,6 +21,7 @@ fn main() -> ExitCode {
         Some(Command::Bench(args)) => commands::bench::run(&args),
         Some(Command::Catalogue(args)) => commands::catalogue::run(&args),
         Some(Command::Diff(args)) => commands::diff::run(&args),
+        Some(Command::Flicker(args)) => commands::flicker::run(&args),
         Some(Command::Reference(args)) => commands::reference::run(&args),
     };
     Outcome::end(PROGRAM, outcome)

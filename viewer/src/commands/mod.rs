@@ -4,6 +4,7 @@ pub mod bench;
 pub mod catalogue;
 pub mod chart;
 pub mod diff;
+pub mod flicker;
 mod least;
 pub mod reference;
 pub mod render;
@@ -13,12 +14,13 @@ use crate::cli::{DeviceName, SceneArgs, StarArgs, ViewArgs};
 use lensbake_core::CoreError;
 use lensbake_tables::{ContainerError, Table, container, default_atlas};
 use std::borrow::Cow;
-use std::io;
+use std::io::{self, Write};
 use std::path::PathBuf;
 use thiserror::Error;
 use viewer::bench::BenchError;
 use viewer::camera::{Camera, CameraError};
 use viewer::chart::ChartError;
+use viewer::flicker::FlickerError;
 use viewer::gpu::{Gpu, GpuError};
 use viewer::picture::PictureError;
 use viewer::reference::StudyError;
@@ -68,6 +70,9 @@ pub enum CommandError {
     /// The study of the filter.
     #[error(transparent)]
     Study(#[from] StudyError),
+    /// The flicker of stars.
+    #[error(transparent)]
+    Flicker(#[from] FlickerError),
     /// The window.
     #[error(transparent)]
     Window(#[from] WindowError),
@@ -92,6 +97,15 @@ pub enum CommandError {
     /// Standard output.
     #[error("standard output: {0}")]
     Stdout(io::Error),
+}
+
+/// To standard output, as soon as it is known.
+fn print(text: &str) -> Result<(), CommandError> {
+    let mut stdout = io::stdout();
+    stdout
+        .write_all(text.as_bytes())
+        .and_then(|()| stdout.flush())
+        .map_err(CommandError::Stdout)
 }
 
 /// The scene that the arguments describe.

@@ -1,11 +1,10 @@
 //! `viewer reference`: the filtered picture against many rays a pixel by direct integration.
 
-use super::CommandError;
+use super::{CommandError, print};
 use crate::cli::ReferenceArgs;
 use lensbake_report::{Outcome, Progress};
 use lensbake_tables::container::write_whole;
 use std::fs;
-use std::io::{self, Write};
 use viewer::gpu::{Gpu, Renderer};
 use viewer::reference::{cases, cost, csv, figure, study};
 use viewer::sky::{self, SkySource};
@@ -68,13 +67,4 @@ fn print_costs(gpu: &Gpu) -> Result<Outcome, CommandError> {
     }
     eprintln!("measured on {}", gpu.name());
     Ok(Outcome::Done)
-}
-
-/// To standard output, as soon as it is known.
-fn print(text: &str) -> Result<(), CommandError> {
-    let mut stdout = io::stdout();
-    stdout
-        .write_all(text.as_bytes())
-        .and_then(|()| stdout.flush())
-        .map_err(CommandError::Stdout)
 }

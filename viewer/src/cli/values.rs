@@ -1,0 +1,81 @@
+//! Values that options take, from text; an error says what is expected.
+
+use std::path::PathBuf;
+use viewer::sky::SkySource;
+use viewer::stars::StarSource;
+use viewer::tone_map::EXPOSURES;
+
+/// An exposure of a picture, in stops.
+pub fn exposure(text: &str) -> Result<f32, String> {
+    let stops = text.parse().ok().filter(|stops| EXPOSURES.contains(stops));
+    stops.ok_or_else(|| {
+        let (least, most) = (EXPOSURES.start(), EXPOSURES.end());
+        format!("must be a number of stops from {least} to {most}")
+    })
+}
+
+/// Width and height, pixels.
+pub fn size(text: &str) -> Result<(u32, u32), String> {
+    let parsed = text.split_once(['x', 'X']).and_then(|(width, height)| {
+        let width = width.trim().parse().ok()?;
+        Some((width, height.trim().parse().ok()?))
+    });
+    parsed.ok_or_else(|| "must be like 1920x1080".to_owned())
+}
+
+/// Right ascension and declination, degrees.
+pub fn place(text: &str) -> Result<(f64, f64), String> {
+    let parsed = text
+        .split_once(',')
+        .and_then(|(right_ascension, declination)| {
+            let right_ascension: f64 = right_ascension.trim().parse().ok()?;
+            Some((right_ascension, declination.trim().parse().ok()?))
+        });
+    parsed
+        .filter(|(ra, dec)| (-360.0..=360.0).contains(ra) && (-90.0..=90.0).contains(dec))
+        .ok_or_else(|| {
+            "must be two angles in degrees like 83.8,-5.4: right ascension and declination"
+                .to_owned()
+        })
+}
+
+/// An exposure of stars, in stops.
+pub fn stops(text: &str) -> Result<f64, String> {
+    let parsed = text.parse().ok().filter(|stops: &f64| stops.abs() <= 30.0);
+    parsed.ok_or_else(|| "must be a number of stops from -30 to 30".to_owned())
+}
+
+/// Where stars come from.
+pub fn stars(text: &str) -> Result<StarSource, String> {
+    let path = PathBuf::from(text);
+    if text == "hipparcos" {
+        Ok(StarSource::Hipparcos)
+    } else if path.exists() {
+        Ok(StarSource::File(path))
+    } else {
+        Err("is neither a file nor the built-in catalogue hipparcos".to_owned())
+    }
+}
+
+/// Where a sky comes from.
+pub fn sky(text: &str) -> Result<SkySource, String> {
+    let files: Vec<PathBuf> = text.split(',').map(PathBuf::from).collect();
+    Ok(match text {
+        "nebula" => SkySource::Nebula,
+        "starmap" => SkySource::Starmap,
+        "grid" => SkySource::Grid,
+        "stars" => SkySource::Stars,
+        _ if files.len() == 1 && !files[0].exists() => {
+            return Err(
+                "is neither a file nor a built-in sky (nebula, starmap, grid, stars)".to_owned(),
+            );
+        }
+        _ if files.len() == 1 => SkySource::Panorama(PathBuf::from(text)),
+        _ => SkySource::Faces(<[PathBuf; 6]>::try_from(files).map_err(|files| {
+            format!(
+                "must be one panorama or six cube faces, not {} files",
+                files.len()
+            )
+        })?),
+    })
+}
