@@ -6,15 +6,13 @@
 //! ray with its own footprint. The part of a patch that lies in the shadow is known from the distance
 //! to the edge, and the ray goes through the middle of the other part.
 
-use crate::camera::Sight;
-use crate::deflect::{Turned, deflect, look_up, undeflected};
-use crate::footprint::{ONE_TAP_SQ, Patch};
-use crate::scene::{Method, Scene};
+use crate::deflect::deflect;
+use crate::footprint::Patch;
+use crate::scene::Scene;
 use crate::shadow::Shadow;
 use crate::sky::Sky;
 use glam::{DVec2, DVec3, Vec3, Vec4};
 use lensbake_core::Fate;
-use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Rays along the side of a pixel beside the edge.
 pub const SUB_RAYS: u32 = 3;
@@ -26,7 +24,7 @@ const MOST_TAPS_BESIDE_EDGE: u32 = 8;
 const NEAR_OUTSIDE: f64 = 3.0;
 const NEAR_INSIDE: f64 = 1.0;
 
-/// What the pixels of a square take at the most; what takes more is greater.
+/// What the pixels of a block take at the most; what takes more is greater.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Need {
     /// One bilinear tap, or none: the sky is magnified, or they are dark.
@@ -35,11 +33,6 @@ pub enum Need {
     OneRay,
     /// Many rays, for some lie beside the edge.
     ManyRays,
-}
-
-impl Need {
-    /// All of them.
-    pub const ALL: [Need; 3] = [Need::OneTap, Need::OneRay, Need::ManyRays];
 }
 
 /// What a pixel takes.
@@ -97,60 +90,24 @@ impl<'a> Pixels<'a> {
         }
     }
 
-    /// What the pixels of a square of `side` pixels take before a sky of `face_texels`: never less than
-    /// any of them does. `corner` is its upper left corner, from that of the picture.
-    pub fn need_of_square(&self, corner: DVec2, side: f64, face_texels: f64) -> Need {
-        let camera = &self.scene.camera;
-        let size = DVec2::new(camera.width.into(), camera.height.into());
-        let at = corner + 0.5 * (side - size);
-        let half_diagonal = side * FRAC_1_SQRT_2;
-        // A pixel is the wider the nearer it is to the middle of the picture.
-        let nearest = camera.right.length() * (at.length() - half_diagonal).max(0.0);
-        let px = camera.right.length() / nearest.hypot(1.0);
-        let reach = half_diagonal * px;
-
-        let direction = camera.ray(at).normalize();
-        let sight = Sight::of(direction);
-        let distance = self.shadow.distance(sight);
-        if distance < -NEAR_INSIDE * px - reach {
-            return Need::OneTap;
-        }
-        if distance < NEAR_OUTSIDE * px + reach {
-            return Need::ManyRays;
-        }
-        // The bending is the stronger the nearer to the hole.
-        let (sin, cos) = reach.sin_cos();
-        let towards = Sight {
-            cos: sight.cos * cos + sight.sin * sin,
-            sin: sight.sin * cos - sight.cos * sin,
-        };
-        let Fate::Escapes(turned) = self.turned(towards) else {
-            return Need::ManyRays;
-        };
-        let least_sin = towards.sin.min(sight.sin * cos + sight.cos * sin);
-        let most_sin = turned.sight.sin.abs() + 2.0 * reach * turned.stretch;
-        // Both stretches are the same straight away from the hole.
-        let about = if least_sin > 2.0 * reach {
-            most_sin / least_sin
-        } else {
-            1.1 * turned.stretch
-        };
-        let most_stretch = turned.stretch.max(about);
-        let in_sky = camera.sky_from_hole * sight.turn(direction, turned.sight);
-        let depth = in_sky.abs().max_element() - 2.0 * reach * most_stretch;
-        let texels = 0.5 * face_texels * px / (depth * depth);
-        if depth > 0.0 && texels * texels * (turned.stretch.powi(2) + about * about) < ONE_TAP_SQ {
-            Need::OneTap
-        } else {
-            Need::OneRay
-        }
-    }
-
-    /// As the method of the scene turns the light, but without an integration.
-    fn turned(&self, sight: Sight) -> Fate<Turned> {
-        match self.scene.method {
-            Method::Lut | Method::Direct { .. } => look_up(&self.scene.row, sight),
-            Method::Flat => undeflected(&self.scene.camera.observer, sight),
+    /// What pixel (column, row) takes before a sky of `face_texels`.
+    #[cfg(test)]
+    pub(crate) fn need(&self, column: u32, row: u32, face_texels: f64) -> Need {
+        let patch = self.patch(self.scene.camera.position(column, row), 1.0);
+        match (self.kind(&patch), deflect(self.scene, patch.sight)) {
+            (Kind::Edge, _) => Need::ManyRays,
+            (Kind::Sky, Fate::Escapes(turned)) => {
+                let footprint = patch
+                    .footprint(turned)
+                    .in_frame(&self.scene.camera.sky_from_hole);
+                let taps = footprint.taps(face_texels, MOST_TAPS);
+                if taps.count == 1 && taps.level == 0.0 {
+                    Need::OneTap
+                } else {
+                    Need::OneRay
+                }
+            }
+            _ => Need::OneTap,
         }
     }
 
@@ -206,6 +163,7 @@ impl<'a> Pixels<'a> {
 mod tests {
     use super::*;
     use crate::camera::{Camera, View};
+    use crate::scene::Method;
     use lensbake_tables::default_atlas;
     use std::f64::consts::PI;
 
@@ -275,69 +233,6 @@ mod tests {
             }
         }
         assert_eq!(checked, 20);
-    }
-
-    /// What a pixel takes by itself.
-    fn need_of_pixel(pixels: &Pixels, column: u32, row: u32, face_texels: f64) -> Need {
-        let scene = pixels.scene;
-        let patch = pixels.patch(scene.camera.position(column, row), 1.0);
-        match (pixels.kind(&patch), deflect(scene, patch.sight)) {
-            (Kind::Edge, _) => Need::ManyRays,
-            (Kind::Sky, Fate::Escapes(turned)) => {
-                let footprint = patch
-                    .footprint(turned)
-                    .in_frame(&scene.camera.sky_from_hole);
-                let taps = footprint.taps(face_texels, MOST_TAPS);
-                if taps.count == 1 && taps.level == 0.0 {
-                    Need::OneTap
-                } else {
-                    Need::OneRay
-                }
-            }
-            _ => Need::OneTap,
-        }
-    }
-
-    #[test]
-    fn a_square_takes_what_any_of_its_pixels_does() {
-        const BLOCK: u32 = 8;
-        let mut seen = [0; 3];
-        for (radius, yaw_deg, fov_deg, width) in [
-            (25.0, 0.0, 90.0, 240),
-            (1.2, 140.0, 90.0, 240),
-            (1.5, 180.0, 120.0, 160),
-            (3.0, 40.0, 175.0, 160),
-            (1000.0, 3.0, 20.0, 240),
-            (1e6, 0.01, 0.1, 160),
-        ] {
-            let view = View {
-                radius,
-                yaw_deg,
-                pitch_deg: 7.0 * fov_deg / 90.0,
-                fov_deg,
-                width,
-                height: width / 2,
-                ..View::default()
-            };
-            for method in [Method::Lut, Method::Flat] {
-                let scene = scene(view, method);
-                let pixels = Pixels::new(&scene);
-                // About one texel a pixel, where it matters.
-                let face_texels = 1.2 * f64::from(width) / (0.5 * fov_deg.to_radians()).tan();
-                for i in 0..width * width / 2 {
-                    let (column, row) = (i % width, i / width);
-                    let corner = DVec2::new((column & !7).into(), (row & !7).into());
-                    let square = pixels.need_of_square(corner, BLOCK.into(), face_texels);
-                    let pixel = need_of_pixel(&pixels, column, row, face_texels);
-                    assert!(
-                        square >= pixel,
-                        "{view:?} {method:?} ({column}, {row}): {square:?} {pixel:?}"
-                    );
-                    seen[square as usize] += 1;
-                }
-            }
-        }
-        assert!(seen.iter().all(|&n| n > 2000), "{seen:?}");
     }
 
     /// Along a row of pixels across the edge the coverage rises without a step.

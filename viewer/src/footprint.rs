@@ -20,7 +20,7 @@ use std::f64::consts::TAU;
 const SPACING: f64 = 1.5;
 /// A footprint of less than this squared length in texels is one bilinear tap: the magnified sky, most
 /// of a picture.
-pub(crate) const ONE_TAP_SQ: f64 = 2.5;
+const ONE_TAP_SQ: f64 = 2.5;
 
 /// A patch of the picture as a view direction with its steps, in the hole frame.
 #[derive(Debug, Clone, Copy, PartialEq)]

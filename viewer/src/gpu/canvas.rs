@@ -2,11 +2,10 @@
 //! it is written to. Showing the next scene writes into these and makes nothing.
 
 use super::bindings::{bind_group, block_of};
-use super::blocks::{BLOCK, LIST_WIDTH, List, append_lists};
-use super::renderer::{Program, Renderer, SkyOnDevice};
+use super::blocks::{self, BLOCK, BlockLists};
+use super::renderer::{Program, Renderer};
 use super::stars::StarLists;
 use super::{Frame, Gpu, GpuError, Store, Tile};
-use crate::filtered::Pixels;
 use crate::scene::{Sampling, Scene};
 use crate::shadow::Shadow;
 use lensbake_tables::{Interpolation, Row, Texel};
@@ -48,9 +47,8 @@ pub struct Canvas {
     frames: Buffer,
     frame_stride: u64,
     tiles: Vec<Tile>,
-    blocks: Buffer,
-    /// The lists of each tile; none if the picture is not filtered.
-    lists: Vec<[List; 3]>,
+    sort_layout: BindGroupLayout,
+    blocks: BlockLists,
     bind_group: BindGroup,
     stars: Option<StarLists>,
 }
@@ -98,8 +96,10 @@ impl Canvas {
         let alignment = device.limits().min_uniform_buffer_offset_alignment;
         let frame_stride = (size_of::<Frame>() as u64).next_multiple_of(alignment.into());
         let frames = frame_buffer(&device, tiles * frame_stride);
-        let blocks = block_buffer(&device, 1);
-        let bind_group = frame_group(&device, layout, &frames, &row, &target, &blocks);
+        let sort_layout = renderer.sort_layout.clone();
+        let view = row.create_view(&Default::default());
+        let blocks = BlockLists::new(&device, &sort_layout, &frames, &view, &[]);
+        let bind_group = frame_group(&device, layout, &frames, &view, &target, &blocks);
         Canvas {
             queue: renderer.gpu.queue.clone(),
             layout: layout.clone(),
@@ -109,8 +109,8 @@ impl Canvas {
             frames,
             frame_stride,
             tiles: Vec::new(),
+            sort_layout,
             blocks,
-            lists: Vec::new(),
             bind_group,
             device,
             stars: None,
@@ -134,6 +134,12 @@ impl Canvas {
         self.stars.as_ref().map_or(Ok(()), |lists| lists.check(gpu))
     }
 
+    /// The lists of blocks of the tiles.
+    #[cfg(test)]
+    pub(super) fn block_lists(&self) -> &BlockLists {
+        &self.blocks
+    }
+
     /// What the frames are written to.
     pub fn target(&self) -> &Target {
         &self.target
@@ -145,28 +151,18 @@ impl Canvas {
     }
 
     /// Sets what the next dispatches draw: the scene, in these tiles. The row goes to the GPU only if
-    /// it is another than the last. `sky` is what they will be drawn before, `gain` amplifies a difference.
+    /// it is another than the last. `gain` amplifies a difference.
     ///
     /// # Panics
     /// If the scene's row has another shape than the canvas was made for.
-    pub fn show(
-        &mut self,
-        scene: &Scene,
-        sky: &SkyOnDevice,
-        tiles: impl Iterator<Item = Tile>,
-        gain: f32,
-    ) {
+    pub fn show(&mut self, scene: &Scene, tiles: impl Iterator<Item = Tile>, gain: f32) {
         self.tiles.clear();
         self.tiles.extend(tiles);
-        let blocks = self.list_blocks(scene, sky.face_texels);
-        self.grow(blocks.len() as u64);
-        self.queue
-            .write_buffer(&self.blocks, 0, bytemuck::cast_slice(&blocks));
+        self.grow(scene.sampling);
         let shadow = Shadow::of(scene);
-        for (i, &tile) in self.tiles.iter().enumerate() {
-            let lists = self.lists.get(i).copied().unwrap_or_default();
-            let frame = Frame::new(&scene.camera, tile, gain)
-                .filtered(shadow, lists.map(|list| list.first));
+        let tiles = self.tiles.iter().zip(blocks::places(&self.tiles));
+        for (i, (&tile, (lists, blocks))) in tiles.enumerate() {
+            let frame = Frame::new(&scene.camera, tile, gain).filtered(shadow, lists, blocks);
             let offset = i as u64 * self.frame_stride;
             self.queue
                 .write_buffer(&self.frames, offset, bytemuck::bytes_of(&frame));
@@ -177,20 +173,6 @@ impl Canvas {
         if self.shown.as_ref() != Some(&scene.row) {
             self.upload(&scene.row);
         }
-    }
-
-    /// Lists the blocks of the tiles if the picture is filtered.
-    fn list_blocks(&mut self, scene: &Scene, face_texels: u32) -> Vec<u32> {
-        self.lists.clear();
-        let mut blocks = Vec::new();
-        if scene.sampling == Sampling::Filtered {
-            let pixels = Pixels::new(scene);
-            for &tile in &self.tiles {
-                let lists = append_lists(&mut blocks, &pixels, tile, face_texels);
-                self.lists.push(lists);
-            }
-        }
-        blocks
     }
 
     /// Encodes the drawing of tile `index` by `program` before `sky`; `timestamps` notes when it begins
@@ -208,48 +190,61 @@ impl Canvas {
         if let Some(lists) = lists {
             lists.clear(encoder);
         }
+        if program.sorter.is_some() {
+            self.blocks.clear(encoder, index);
+        }
         let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor {
             label: Some(program.name),
             timestamp_writes: timestamps,
         });
-        let offset = index as u64 * self.frame_stride;
+        let offset = (index as u64 * self.frame_stride) as u32;
         if let Some(lists) = lists {
             lists.make(&mut pass);
         }
-        pass.set_bind_group(0, &self.bind_group, &[offset as u32]);
+        if let Some(sorter) = &program.sorter {
+            let tile = self.tiles[index];
+            self.blocks.sort(&mut pass, sorter, sky, tile, offset);
+        }
+        pass.set_bind_group(0, &self.bind_group, &[offset]);
         pass.set_bind_group(1, sky, &[]);
         if let Some(stars) = stars {
             pass.set_bind_group(2, stars.reading(), &[]);
         }
-        if let [pipeline] = &program.pipelines[..] {
-            let [across, down] = self.tiles[index].count.map(|n| n.div_ceil(BLOCK));
+        for (list, pipeline) in program.pipelines.iter().enumerate() {
             pass.set_pipeline(pipeline);
-            pass.dispatch_workgroups(across, down, 1);
-            return;
-        }
-        for (pipeline, list) in program.pipelines.iter().zip(&self.lists[index]) {
-            pass.set_pipeline(pipeline);
-            pass.dispatch_workgroups(LIST_WIDTH, list.rows, 1);
+            if program.sorter.is_some() {
+                self.blocks.draw(&mut pass, index, list);
+            } else {
+                let [across, down] = self.tiles[index].count.map(|n| n.div_ceil(BLOCK));
+                pass.dispatch_workgroups(across, down, 1);
+            }
         }
     }
 
-    /// Makes room for the frames of all tiles and for so many blocks: only when there are more than
-    /// ever before.
-    fn grow(&mut self, blocks: u64) {
+    /// Makes room for the frames of all tiles, and for the lists of their blocks if they are filtered:
+    /// only when there are more than ever before.
+    fn grow(&mut self, sampling: Sampling) {
         let frames = self.tiles.len() as u64 * self.frame_stride;
-        let blocks = blocks * size_of::<u32>() as u64;
-        if frames > self.frames.size() || blocks > self.blocks.size() {
-            self.frames = frame_buffer(&self.device, frames.max(self.frames.size()));
-            self.blocks = block_buffer(&self.device, blocks.max(self.blocks.size()));
-            self.bind_group = frame_group(
-                &self.device,
-                &self.layout,
-                &self.frames,
-                &self.row,
-                &self.target,
-                &self.blocks,
-            );
+        let listed = sampling == Sampling::Filtered;
+        let holds = !listed || self.blocks.holds(&self.tiles);
+        if frames <= self.frames.size() && holds {
+            return;
         }
+        if frames > self.frames.size() {
+            self.frames = frame_buffer(&self.device, frames);
+        }
+        let device = &self.device;
+        let row = self.row.create_view(&Default::default());
+        let tiles = if listed { &self.tiles[..] } else { &[] };
+        self.blocks = BlockLists::new(device, &self.sort_layout, &self.frames, &row, tiles);
+        self.bind_group = frame_group(
+            device,
+            &self.layout,
+            &self.frames,
+            &row,
+            &self.target,
+            &self.blocks,
+        );
     }
 
     fn upload(&mut self, row: &Row) {
@@ -284,29 +279,19 @@ fn frame_buffer(device: &Device, size: u64) -> Buffer {
     })
 }
 
-fn block_buffer(device: &Device, size: u64) -> Buffer {
-    device.create_buffer(&BufferDescriptor {
-        label: Some("blocks"),
-        size: size.next_multiple_of(COPY_BUFFER_ALIGNMENT),
-        usage: BufferUsages::STORAGE | BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    })
-}
-
 fn frame_group(
     device: &Device,
     layout: &BindGroupLayout,
     frames: &Buffer,
-    row: &Texture,
+    row: &TextureView,
     target: &Target,
-    blocks: &Buffer,
+    blocks: &BlockLists,
 ) -> BindGroup {
-    let row = row.create_view(&Default::default());
     let resources = [
         block_of::<Frame>(frames),
-        BindingResource::TextureView(&row),
+        BindingResource::TextureView(row),
         target.binding(),
-        blocks.as_entire_binding(),
+        blocks.blocks().as_entire_binding(),
     ];
     bind_group(device, "frame", layout, resources)
 }

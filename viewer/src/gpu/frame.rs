@@ -34,8 +34,9 @@ pub struct Frame {
     size: [u32; 2],
     first: [u32; 2],
     count: [u32; 2],
-    lists: [u32; 3],
-    padding_2: u32,
+    lists: u32,
+    blocks: u32,
+    padding_2: [u32; 2],
 }
 
 impl Frame {
@@ -60,17 +61,19 @@ impl Frame {
             size: [camera.width, camera.height],
             first: tile.first,
             count: tile.count,
-            lists: [0; 3],
-            padding_2: 0,
+            lists: 0,
+            blocks: 0,
+            padding_2: [0; 2],
         }
     }
 
-    /// The same tile of a filtered picture: with this shadow, its lists of blocks starting at `lists`.
-    pub fn filtered(self, shadow: Shadow, lists: [u32; 3]) -> Self {
+    /// The same tile of a filtered picture: with this shadow, its first list of blocks and its first block.
+    pub fn filtered(self, shadow: Shadow, lists: u32, blocks: u32) -> Self {
         Frame {
             half_edge_cos: shadow.half_cos as f32,
             half_edge_sin: shadow.half_sin as f32,
             lists,
+            blocks,
             ..self
         }
     }
@@ -132,7 +135,8 @@ mod tests {
             size,
             first,
             count,
-            lists
+            lists,
+            blocks
         );
         assert_eq!(span as usize, size_of::<Frame>());
     }

@@ -158,7 +158,7 @@ impl Live {
                 self.brushes.push(brush);
                 tile
             });
-        self.canvas.show(scene, &self.renderer.sky, tiles, gain);
+        self.canvas.show(scene, tiles, gain);
     }
 }
 

@@ -35,7 +35,7 @@ impl Prepared {
         if output == Output::Picture {
             canvas = canvas.with_lists(renderer, whole.count);
         }
-        canvas.show(scene, &renderer.sky, whole.bands(most_pixels), 1.0);
+        canvas.show(scene, whole.bands(most_pixels), 1.0);
         Prepared {
             program: renderer.program(
                 scene.method,

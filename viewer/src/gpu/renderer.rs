@@ -4,6 +4,7 @@ use super::bindings::{
     bind_group, bind_group_layout, storage_buffer_binding, storage_texture_binding,
     texture_binding, uniform_binding,
 };
+use super::blocks::Sorter;
 use super::canvas::TEXTURE_FORMAT;
 use super::stars::Stars;
 use super::step;
@@ -28,7 +29,6 @@ pub type Trace = Vec<Fate<DVec3>>;
 #[derive(Debug, Clone)]
 pub struct SkyOnDevice {
     pub(super) bind_group: BindGroup,
-    pub(super) face_texels: u32,
 }
 
 /// Bytes of a texel of the sky.
@@ -42,6 +42,8 @@ pub struct Program {
     pub(super) sees_stars: bool,
     /// One for every pixel, or one for each list of blocks.
     pub(super) pipelines: Vec<ComputePipeline>,
+    /// What makes those lists.
+    pub(super) sorter: Option<Sorter>,
 }
 
 /// A renderer on one device, with one sky.
@@ -52,6 +54,8 @@ pub struct Renderer {
     sky_layout: BindGroupLayout,
     buffer_layout: BindGroupLayout,
     texture_layout: BindGroupLayout,
+    /// Of what sorts blocks of pixels.
+    pub(super) sort_layout: BindGroupLayout,
     pub(super) stars: Option<Arc<Stars>>,
 }
 
@@ -76,7 +80,13 @@ impl Renderer {
             let blocks = storage_buffer_binding(true);
             layout(label, &[uniform_binding(true), row, output, blocks])
         };
+        let row = texture_binding(TextureViewDimension::D1, false);
+        let written = storage_buffer_binding(false);
         let renderer = Renderer {
+            sort_layout: layout(
+                "sort_blocks",
+                &[uniform_binding(true), row, written, written],
+            ),
             sky: put_on_device(gpu, &sky_layout, sky),
             sky_layout,
             buffer_layout: frame_layout("frame to a buffer", storage_buffer_binding(false)),
@@ -163,6 +173,11 @@ impl Renderer {
         let lists = stars.map(|stars| &stars.list_layout);
         let groups: Vec<_> = groups.into_iter().chain(lists).collect();
         let pipeline = |entry_point: &&str| step::pipeline(device, entry_point, &groups, &module);
+        let filtered = output == Output::Picture && sampling == Sampling::Filtered;
+        let sorter = filtered.then(|| {
+            let groups = [&self.sort_layout, &self.sky_layout];
+            Sorter::new(device, &groups, method, texels, interpolation)
+        });
         Program {
             name: output.name(),
             sees_stars: stars.is_some(),
@@ -170,6 +185,7 @@ impl Renderer {
                 .iter()
                 .map(pipeline)
                 .collect(),
+            sorter,
         }
     }
 
@@ -305,6 +321,5 @@ fn put_on_device(gpu: &Gpu, layout: &BindGroupLayout, sky: &Sky) -> SkyOnDevice 
     ];
     SkyOnDevice {
         bind_group: bind_group(&gpu.device, "sky", layout, resources),
-        face_texels: sky.face_texels(),
     }
 }

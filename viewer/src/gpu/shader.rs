@@ -1,6 +1,6 @@
 //! The shader text of a frame, put together from the parts that differ and the parts that do not.
 
-use super::stars::light_source;
+use super::stars::keep;
 use crate::scene::{Method, Sampling};
 use lensbake_tables::{Interpolation, lookup};
 
@@ -85,6 +85,7 @@ pub fn shader_source(
         (Output::Picture, Sampling::Filtered) => concat!(
             include_str!("../shaders/shadow.wgsl"),
             include_str!("../shaders/footprint.wgsl"),
+            include_str!("../shaders/blocks.wgsl"),
             include_str!("../shaders/filtered.wgsl"),
         ),
         (Output::Trace, _) => include_str!("../shaders/trace.wgsl"),
@@ -95,10 +96,10 @@ pub fn shader_source(
     } else {
         ""
     };
-    let star_light = match output {
-        Output::Picture => light_source(stars),
-        Output::Difference => light_source(false),
-        Output::Trace => String::new(),
+    let keep = if output == Output::Picture {
+        keep(stars)
+    } else {
+        String::new()
     };
     [
         &lookup::wgsl_row(texels, interpolation, 0, 1),
@@ -107,8 +108,30 @@ pub fn shader_source(
         store,
         &deflect,
         sky,
-        &star_light,
+        &keep,
         entry_points,
+    ]
+    .join("\n")
+}
+
+/// The WGSL that sorts the blocks of a filtered picture by `method`: by the row, whoever turns the light.
+pub(super) fn sort_source(method: Method, texels: u32, interpolation: Interpolation) -> String {
+    let deflect = match method {
+        Method::Lut | Method::Direct { .. } => {
+            deflect_by(include_str!("../shaders/deflect_lut.wgsl"), "deflect_lut")
+        }
+        Method::Flat => deflect_by(include_str!("../shaders/deflect_flat.wgsl"), "deflect_flat"),
+    };
+    [
+        &lookup::wgsl_row(texels, interpolation, 0, 1),
+        lookup::WGSL,
+        include_str!("../shaders/frame.wgsl"),
+        &deflect,
+        include_str!("../shaders/sky.wgsl"),
+        include_str!("../shaders/shadow.wgsl"),
+        include_str!("../shaders/footprint.wgsl"),
+        include_str!("../shaders/blocks.wgsl"),
+        include_str!("../shaders/sort_blocks.wgsl"),
     ]
     .join("\n")
 }
@@ -161,6 +184,16 @@ pub(super) mod tests {
             }
         }
         assert_eq!(validated, 144);
+    }
+
+    #[test]
+    fn the_sorters_are_valid() {
+        for method in [Method::Lut, Method::Direct { step: 0.1 }, Method::Flat] {
+            for interpolation in [Interpolation::Linear, Interpolation::Hermite] {
+                let source = sort_source(method, 64, interpolation);
+                validate(&source, &["sort_blocks", "close_lists"]);
+            }
+        }
     }
 
     pub(in crate::gpu) fn validate(source: &str, entry_points: &[&str]) {

@@ -1,5 +1,5 @@
 // The picture, each pixel averaged over its area. Twin of filtered.rs, which says how. Three programs,
-// each for the blocks of pixels that need no more; gpu/blocks.rs makes the lists.
+// each for the blocks of pixels that need no more, as sort_blocks.wgsl has listed them.
 
 // Rays along the side of a pixel beside the edge.
 const SUB_RAYS: u32 = 3u;
@@ -7,20 +7,13 @@ const SUB_RAYS: u32 = 3u;
 // the edge.
 const MOST_TAPS: f32 = 16.0;
 const MOST_TAPS_BESIDE_EDGE: f32 = 8.0;
-// Pixels from the edge, outside and inside the shadow, within which a pixel has that many.
-const NEAR_OUTSIDE: f32 = 3.0;
-const NEAR_INSIDE: f32 = 1.0;
-// Blocks to a row of workgroups.
-const LIST_WIDTH: u32 = 64u;
 
-// Blocks of 8 × 8 pixels, column and row of blocks in 16 bits each.
 @group(0) @binding(3) var<storage, read> blocks: array<u32>;
 
-// The pixel of the tile that the invocation `local` of a workgroup draws, in the list that starts at
-// `first`.
-fn listed_pixel(first: u32, workgroup: vec3<u32>, local: vec3<u32>) -> vec3<u32> {
-    let block = blocks[first + workgroup.y * LIST_WIDTH + workgroup.x];
-    return vec3(8u * vec2(block & 0xffffu, block >> 16u) + local.xy, 0u);
+// The pixel of the tile that the invocation `local` of a workgroup draws, in one of the lists.
+fn listed_pixel(list: u32, workgroup: vec3<u32>, local: vec3<u32>) -> vec3<u32> {
+    let block = blocks[first_block(list) + workgroup.y * LIST_WIDTH + workgroup.x];
+    return vec3(BLOCK * vec2(block & 0xffffu, block >> 16u) + local.xy, 0u);
 }
 
 // The middle of the pixel `id` of the tile, in pixels from the picture's middle.
@@ -32,10 +25,6 @@ fn position(id: vec3<u32>) -> vec2<f32> {
 fn patch_at(at: vec2<f32>, side: f32) -> Patch {
     let ray = frame.forward + frame.right * at.x + frame.down * at.y;
     return patch_of(ray, frame.right * side, frame.down * side);
-}
-
-fn in_sky_frame(v: vec3<f32>) -> vec3<f32> {
-    return frame.sky_x * v.x + frame.sky_y * v.y + frame.sky_z * v.z;
 }
 
 // The mean light of a patch that sees nothing but sky, alpha 1; 0 if its ray is captured.
@@ -72,7 +61,7 @@ fn one_tap(
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(local_invocation_id) local: vec3<u32>,
 ) {
-    let id = listed_pixel(frame.lists.x, workgroup, local);
+    let id = listed_pixel(ONE_TAP, workgroup, local);
     if !in_tile(id) {
         return;
     }
@@ -87,7 +76,7 @@ fn one_ray(
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(local_invocation_id) local: vec3<u32>,
 ) {
-    let id = listed_pixel(frame.lists.y, workgroup, local);
+    let id = listed_pixel(ONE_RAY, workgroup, local);
     if !in_tile(id) {
         return;
     }
@@ -100,7 +89,7 @@ fn many_rays(
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(local_invocation_id) local: vec3<u32>,
 ) {
-    let id = listed_pixel(frame.lists.z, workgroup, local);
+    let id = listed_pixel(MANY_RAYS, workgroup, local);
     if !in_tile(id) {
         return;
     }

@@ -24,8 +24,9 @@ struct Frame {
     // The tile that this dispatch draws: its first pixel, its width and height.
     first: vec2<u32>,
     count: vec2<u32>,
-    // Where the lists of blocks of this tile start, one for each program of a filtered picture.
-    lists: vec3<u32>,
+    // Index of the first of this tile's lists of blocks, and of its first block.
+    lists: u32,
+    blocks: u32,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;

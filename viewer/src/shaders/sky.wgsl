@@ -3,10 +3,13 @@
 @group(1) @binding(0) var sky: texture_cube<f32>;
 @group(1) @binding(1) var sky_sampler: sampler;
 
+fn in_sky_frame(v: vec3<f32>) -> vec3<f32> {
+    return frame.sky_x * v.x + frame.sky_y * v.y + frame.sky_z * v.z;
+}
+
 // The light from a direction in the hole frame, linear RGB.
 fn sky_light(d: vec3<f32>) -> vec3<f32> {
-    let in_sky = frame.sky_x * d.x + frame.sky_y * d.y + frame.sky_z * d.z;
-    return textureSampleLevel(sky, sky_sampler, in_sky, 0.0).rgb;
+    return textureSampleLevel(sky, sky_sampler, in_sky_frame(d), 0.0).rgb;
 }
 
 // The light of a pixel that looks along d, sin θ = p, after the hole has turned it; alpha is the part of
@@ -16,9 +19,4 @@ fn pixel_light(d: vec3<f32>, p: f32, turned: Turned) -> vec4<f32> {
         return vec4(0.0);
     }
     return vec4(sky_light(turn_direction(d, p, turned)), 1.0);
-}
-
-// Keeps what the pixel `id` of the tile sees: the sky, and the stars before it.
-fn keep(id: vec2<u32>, sky: vec4<f32>) {
-    store(id, sky + vec4(star_light(frame.first + id), 0.0));
 }

@@ -7,7 +7,7 @@ mod lists;
 mod shader;
 
 pub(super) use lists::StarLists;
-pub(super) use shader::light_source;
+pub(super) use shader::keep;
 
 use super::Gpu;
 use super::bindings::{bind_group_layout, storage_buffer_binding, uniform_binding};

@@ -39,13 +39,14 @@ pub(super) fn lists(lens: &str) -> String {
     .join("\n")
 }
 
-/// Lets a picture see the stars, or that there are none.
-pub(in crate::gpu) fn light_source(stars: bool) -> String {
-    if stars {
-        [NODE, include_str!("../../shaders/star_light.wgsl")].join("\n")
+/// Keeps what a pixel of a picture sees: the sky, and the stars before it if there are any.
+pub(in crate::gpu) fn keep(stars: bool) -> String {
+    let light = if stars {
+        &[NODE, include_str!("../../shaders/star_light.wgsl")].join("\n")
     } else {
-        "fn star_light(pixel: vec2<u32>) -> vec3<f32> { return vec3(0.0); }\n".to_owned()
-    }
+        "fn star_light(pixel: vec2<u32>) -> vec3<f32> { return vec3(0.0); }\n"
+    };
+    [light, include_str!("../../shaders/keep.wgsl")].join("\n")
 }
 
 fn reaches() -> String {
