@@ -52,15 +52,7 @@ fn has_light(shot: &Shot) -> bool {
 fn rendered(folder: &Path, args: &[&str]) -> Shot {
     let path = folder.join("rendered.png");
     let all = [
-        &[
-            "render",
-            "--sampling",
-            "single",
-            "--size",
-            SIZE,
-            "-o",
-            path.to_str().unwrap(),
-        ],
+        &["render", "--size", SIZE, "-o", path.to_str().unwrap()],
         args,
     ]
     .concat();
@@ -111,6 +103,14 @@ fn the_window_shows_what_the_headless_program_draws_and_obeys_the_keys() {
     same(&window.at_rest(), &rendered(folder, &["--method", "flat"]));
     window.press(&["l"]);
     assert_eq!(window.at_rest(), start);
+
+    // V: one ray a pixel and its mean again.
+    window.press(&["v"]);
+    window.shows("one ray a pixel", |shot| *shot != start);
+    let single = rendered(folder, &["--sampling", "single"]);
+    same(&window.at_rest(), &single);
+    window.press(&["v"]);
+    window.shows("the mean", |shot| *shot == start);
 
     // Z: the four skies and round.
     for sky in ["starmap", "grid", "stars"] {

@@ -1,17 +1,21 @@
-//! The benchmark: the same flight by every method at several sizes, all methods taking turns in one run.
+//! The benchmark: the same flight by every method at several sizes, filtered and with stars too, all taking
+//! turns in one run.
 //!
 //! The flight is the 2022 report's: the radius swings between 2.5 and 37.5 by elapsed time, and every
 //! frame is prepared and drawn as the window does it.
 
+mod contender;
 mod errors;
 mod measured;
 pub mod report;
 
+pub use contender::{CONTENDERS, Contender};
 pub use measured::Measured;
 
 use crate::camera::{Camera, CameraError, View};
 use crate::gpu::{FrameTime, Gpu, GpuError, Live, Renderer, Show, Timer};
 use crate::scene::{Method, Scene, SceneError};
+use crate::stars::StarField;
 use lensbake_tables::Table;
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
@@ -21,17 +25,7 @@ use thiserror::Error;
 pub const RADII: (f64, f64) = (2.5, 37.5);
 /// Sizes of the picture, pixels.
 pub const SIZES: [(u32, u32); 4] = [(480, 270), (960, 540), (1920, 1080), (3840, 2160)];
-/// The methods: the floor, the table, and direct integration from few steps to as many as serve its
-/// accuracy in 32-bit floats; the last comes nearest to the table's error.
-pub const METHODS: [Method; 5] = [
-    Method::Flat,
-    Method::Lut,
-    Method::Direct { step: 0.2 },
-    Method::Direct { step: 0.1 },
-    Method::Direct { step: 0.05 },
-];
-
-/// Frames of each method that are drawn before the first counts: a first dispatch still compiles.
+/// Frames of each contender that are drawn before the first counts: a first dispatch still compiles.
 const WARM_UP: u32 = 2;
 
 /// How much to measure.
@@ -41,17 +35,17 @@ pub struct Effort {
     pub sizes: Vec<(u32, u32)>,
     /// One swing of the radius there and back, at each size.
     pub swing: Duration,
-    /// Rounds at each size at the least; in a round each method draws a frame from the same radius.
+    /// Rounds at each size at the least; in a round each contender draws a frame from the same radius.
     pub rounds: u32,
 }
 
-/// One method at one size.
+/// One contender at one size.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
     /// Size of the picture, pixels.
     pub size: (u32, u32),
-    /// The method.
-    pub method: Method,
+    /// The contender.
+    pub contender: Contender,
     /// Its frames.
     pub measured: Measured,
 }
@@ -63,9 +57,9 @@ pub struct Bench {
     pub adapter: String,
     /// Whether it is the CPU in disguise, whose times are no GPU's.
     pub software: bool,
-    /// The largest error of each of [`METHODS`] on the flight, in image space, pixels.
+    /// The largest error of the rays of each of [`CONTENDERS`] on the flight, in image space, pixels.
     pub errors: Vec<f64>,
-    /// By size, then by method.
+    /// By size, then by contender.
     pub entries: Vec<Entry>,
 }
 
@@ -93,12 +87,13 @@ pub enum BenchError {
     },
 }
 
-/// Runs the benchmark. `round_done` is called with the part that is done after each round.
+/// Runs the benchmark, some contenders with `stars`. `round_done` is called with the part that is done after each round.
 ///
 /// # Errors
 /// [`BenchError`] if the GPU fails, or a size makes no picture.
 pub fn run(
     renderer: Renderer,
+    stars: &StarField,
     table: &Table,
     effort: &Effort,
     round_done: impl Fn(f64),
@@ -116,23 +111,23 @@ pub fn run(
         Camera::new(&view(RADII.1, (width, height)))?;
     }
     let errors = errors::largest(&renderer, table)?;
-    let first = scene(table, RADII.1, (1, 1))?;
-    let steps = METHODS.iter().filter_map(|method| match method {
-        Method::Direct { step } => Some(*step),
-        Method::Lut | Method::Flat => None,
-    });
-    let mut live = Live::new(renderer, &first.row, [1, 1], &steps.collect::<Vec<f64>>());
+    let mut flight = Flight::new(&gpu, renderer, stars, table)?;
     let mut entries = Vec::new();
     for (i, &size) in effort.sizes.iter().enumerate() {
         let done = |part: f64| round_done((i as f64 + part) / effort.sizes.len() as f64);
-        live.set_room([size.0, size.1]);
-        let frames = fly(&gpu, &mut live, table, size, effort, done)?;
+        let frames = flight.fly(size, effort, done)?;
         let rays = f64::from(size.0) * f64::from(size.1);
-        entries.extend(METHODS.iter().zip(frames).map(|(&method, frames)| Entry {
-            size,
-            method,
-            measured: Measured::of(&frames, rays),
-        }));
+        let measured = frames.iter().map(|frames| Measured::of(frames, rays));
+        entries.extend(
+            CONTENDERS
+                .iter()
+                .zip(measured)
+                .map(|(&contender, measured)| Entry {
+                    size,
+                    contender,
+                    measured,
+                }),
+        );
     }
     Ok(Bench {
         adapter: gpu.name(),
@@ -142,44 +137,87 @@ pub fn run(
     })
 }
 
-/// The frames of each method at one size. Their wall-clock time holds all that a frame takes: its
-/// preparation on the CPU, its way to the GPU, and its drawing to the end.
-fn fly(
-    gpu: &Gpu,
-    live: &mut Live,
-    table: &Table,
-    size: (u32, u32),
-    effort: &Effort,
-    round_done: impl Fn(f64),
-) -> Result<Vec<Vec<FrameTime>>, BenchError> {
-    let timer = Timer::new(gpu);
-    let mut frame = |radius, method| {
+/// What draws the frames.
+struct Flight<'a> {
+    timer: Timer<'a>,
+    table: &'a Table,
+    plain: Live,
+    starry: Live,
+}
+
+impl<'a> Flight<'a> {
+    fn new(
+        gpu: &'a Gpu,
+        renderer: Renderer,
+        stars: &StarField,
+        table: &'a Table,
+    ) -> Result<Self, BenchError> {
+        let steps = CONTENDERS
+            .iter()
+            .filter_map(|contender| match contender.method {
+                Method::Direct { step } => Some(step),
+                Method::Lut | Method::Flat => None,
+            });
+        let steps: Vec<f64> = steps.collect();
+        let row = &scene(table, RADII.1, (1, 1))?.row;
+        Ok(Flight {
+            timer: Timer::new(gpu),
+            table,
+            starry: Live::new(renderer.clone().with_stars(stars), row, [1, 1], &steps),
+            plain: Live::new(renderer, row, [1, 1], &steps),
+        })
+    }
+
+    /// The frames of each contender at one size.
+    fn fly(
+        &mut self,
+        size: (u32, u32),
+        effort: &Effort,
+        round_done: impl Fn(f64),
+    ) -> Result<Vec<Vec<FrameTime>>, BenchError> {
+        for live in [&mut self.plain, &mut self.starry] {
+            live.set_room([size.0, size.1]);
+        }
+        for contender in CONTENDERS {
+            for _ in 0..WARM_UP {
+                self.frame(contender, RADII.1, size)?;
+            }
+        }
+        let mut frames = vec![Vec::new(); CONTENDERS.len()];
         let started = Instant::now();
-        let scene = scene(table, radius, size)?.by(method);
-        live.show(&scene, Show::Picture);
-        let gpu = timer.time(live)?.gpu;
+        let mut rounds = 0;
+        while rounds < effort.rounds || started.elapsed() < effort.swing {
+            let radius = radius(started.elapsed().div_duration_f64(effort.swing));
+            for (contender, frames) in CONTENDERS.into_iter().zip(&mut frames) {
+                frames.push(self.frame(contender, radius, size)?);
+            }
+            rounds += 1;
+            let by_time = started.elapsed().div_duration_f64(effort.swing);
+            let by_rounds = f64::from(rounds) / f64::from(effort.rounds);
+            round_done(by_time.min(by_rounds).min(1.0));
+        }
+        Ok(frames)
+    }
+
+    /// A frame and its time. By the wall clock that holds all that a frame takes: its preparation on the
+    /// CPU, its way to the GPU, and its drawing to the end.
+    fn frame(
+        &mut self,
+        contender: Contender,
+        radius: f64,
+        size: (u32, u32),
+    ) -> Result<FrameTime, BenchError> {
+        let live = match contender.stars {
+            true => &mut self.starry,
+            false => &mut self.plain,
+        };
+        let started = Instant::now();
+        let scene = scene(self.table, radius, size)?.by(contender.method);
+        live.show(&scene.sampled(contender.sampling), Show::Picture);
+        let gpu = self.timer.time(live)?.gpu;
         let wall = started.elapsed();
-        Ok::<_, BenchError>(FrameTime { gpu, wall })
-    };
-    for method in METHODS {
-        for _ in 0..WARM_UP {
-            frame(RADII.1, method)?;
-        }
+        Ok(FrameTime { gpu, wall })
     }
-    let mut frames = vec![Vec::new(); METHODS.len()];
-    let started = Instant::now();
-    let mut rounds = 0;
-    while rounds < effort.rounds || started.elapsed() < effort.swing {
-        let radius = radius(started.elapsed().div_duration_f64(effort.swing));
-        for (method, frames) in METHODS.iter().zip(&mut frames) {
-            frames.push(frame(radius, *method)?);
-        }
-        rounds += 1;
-        let by_time = started.elapsed().div_duration_f64(effort.swing);
-        let by_rounds = f64::from(rounds) / f64::from(effort.rounds);
-        round_done(by_time.min(by_rounds).min(1.0));
-    }
-    Ok(frames)
 }
 
 /// The radius after `swings` of the way from the farthest to the nearest and back.

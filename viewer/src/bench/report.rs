@@ -1,20 +1,9 @@
 //! The benchmark as a table to read, and as CSV and JSON to go on with.
 
-use super::{Bench, Entry, METHODS};
-use crate::scene::Method;
+use super::contender::{CONTENDERS, Contender, FILTERED, FINEST, FLAT, LUT};
+use super::{Bench, Entry};
 use lensbake_report::csv::quoted;
 use serde::Serialize;
-use std::f64::consts::PI;
-
-/// What a method is called.
-pub fn name(method: Method) -> String {
-    match method {
-        Method::Flat => "flat".into(),
-        Method::Lut => "lut".into(),
-        // A ray that is hardly bent turns by about π.
-        Method::Direct { step } => format!("direct {:.0} steps", PI / step),
-    }
-}
 
 /// The table for a terminal.
 pub fn text(bench: &Bench) -> String {
@@ -29,7 +18,7 @@ pub fn text(bench: &Bench) -> String {
             }
         ),
         format!(
-            "{:>10}  {:<16} {:>9} {:>9} {:>9} {:>9} {:>8}  {:>8}",
+            "{:>10}  {:<23} {:>9} {:>9} {:>9} {:>9} {:>8}  {:>8}",
             "size", "method", "fps", "least fps", "T_ray", "by wall", "/ flat", "error px"
         ),
     ];
@@ -38,7 +27,7 @@ pub fn text(bench: &Bench) -> String {
             .gpu_ns_a_ray
             .map_or("–".into(), |ns| format!("{ns:.2} ns"));
         format!(
-            "{:>10}  {:<16} {:>9.2} {:>9.2} {:>9} {:>9} {:>8.2}  {:>8.1e}",
+            "{:>10}  {:<23} {:>9.2} {:>9.2} {:>9} {:>9} {:>8.2}  {:>8.1e}",
             format!("{}x{}", row.width, row.height),
             row.method,
             row.average_fps,
@@ -49,20 +38,32 @@ pub fn text(bench: &Bench) -> String {
             row.error_px,
         )
     }));
-    lines.extend(bench.sizes().map(|(width, height)| {
-        let ns = |method| bench.entry((width, height), method).measured.ns_a_ray();
-        let (flat, lut) = (ns(METHODS[0]), ns(METHODS[1]));
-        format!(
-            "{width}x{height}: lut / flat {:.2}, {} / lut {:.2}",
-            lut / flat,
-            name(METHODS[METHODS.len() - 1]),
-            ns(METHODS[METHODS.len() - 1]) / lut,
-        )
-    }));
+    lines.extend(bench.sizes().map(|size| ratios(bench, size)));
     lines.into_iter().map(|line| line + "\n").collect()
 }
 
-/// One line a method and size, with a head line. A clock that the adapter lacks leaves its field empty.
+/// What is promised, and to be compared with other machines.
+fn ratios(bench: &Bench, size: (u32, u32)) -> String {
+    let ns = |contender| bench.entry(size, contender).measured.ns_a_ray();
+    let ratio = |what: Contender, over: Contender| {
+        format!(
+            "{} / {} {:.2}",
+            what.name(),
+            over.name(),
+            ns(what) / ns(over)
+        )
+    };
+    let ratios = [
+        ratio(LUT, FLAT),
+        ratio(FINEST, LUT),
+        ratio(FILTERED, LUT),
+        ratio(LUT.with_stars(), LUT),
+        ratio(FILTERED.with_stars(), FILTERED),
+    ];
+    format!("{}x{}: {}", size.0, size.1, ratios.join(", "))
+}
+
+/// One line a contender and size, with a head line. A clock that the adapter lacks leaves its field empty.
 pub fn csv(bench: &Bench) -> String {
     const HEAD: &str = "width,height,method,frames,average_fps,minimum_fps,gpu_ns_a_ray,\
                         wall_ns_a_ray,wall_spread,over_flat,error_px,adapter";
@@ -129,24 +130,24 @@ impl Bench {
     fn sizes(&self) -> impl Iterator<Item = (u32, u32)> {
         self.entries
             .iter()
-            .step_by(METHODS.len())
+            .step_by(CONTENDERS.len())
             .map(|entry| entry.size)
     }
 
-    fn entry(&self, size: (u32, u32), method: Method) -> &Entry {
+    fn entry(&self, size: (u32, u32), contender: Contender) -> &Entry {
         let mut all = self.entries.iter();
-        all.find(|entry| entry.size == size && entry.method == method)
-            .expect("every method is measured at every size")
+        all.find(|entry| entry.size == size && entry.contender == contender)
+            .expect("every contender is measured at every size")
     }
 
     fn rows(&self) -> impl Iterator<Item = Row> {
         self.entries.iter().enumerate().map(|(i, entry)| {
             let measured = entry.measured;
-            let flat = self.entry(entry.size, Method::Flat).measured.ns_a_ray();
+            let flat = self.entry(entry.size, FLAT).measured.ns_a_ray();
             Row {
                 width: entry.size.0,
                 height: entry.size.1,
-                method: name(entry.method),
+                method: entry.contender.name(),
                 frames: measured.frames,
                 average_fps: measured.average_fps,
                 minimum_fps: measured.minimum_fps,
@@ -154,7 +155,7 @@ impl Bench {
                 wall_ns_a_ray: measured.wall_ns_a_ray,
                 wall_spread: measured.wall_spread,
                 over_flat: measured.ns_a_ray() / flat,
-                error_px: self.errors[i % METHODS.len()],
+                error_px: self.errors[i % CONTENDERS.len()],
             }
         })
     }
@@ -166,9 +167,9 @@ mod tests {
     use crate::bench::Measured;
 
     fn bench(gpu_ns_a_ray: Option<f64>) -> Bench {
-        let entry = |method| Entry {
+        let entry = |contender| Entry {
             size: (4, 3),
-            method,
+            contender,
             measured: Measured {
                 frames: 2,
                 average_fps: 50.0,
@@ -181,24 +182,24 @@ mod tests {
         Bench {
             adapter: "an adapter, named".into(),
             software: true,
-            errors: vec![0.5; METHODS.len()],
-            entries: METHODS.map(entry).into(),
+            errors: vec![0.5; CONTENDERS.len()],
+            entries: CONTENDERS.map(entry).into(),
         }
     }
 
     #[test]
-    fn all_three_hold_every_method() {
+    fn all_three_hold_every_contender() {
         for bench in [bench(None), bench(Some(6.0))] {
             let csv = csv(&bench);
-            assert_eq!(csv.lines().count(), 1 + METHODS.len());
+            assert_eq!(csv.lines().count(), 1 + CONTENDERS.len());
             let fields = |line: &str| line.replace("adapter, named", "").split(',').count();
             assert!(csv.lines().all(|line| fields(line) == 12), "{csv}");
             let json: serde_json::Value = serde_json::from_str(&json(&bench).unwrap()).unwrap();
-            assert_eq!(json["entries"].as_array().unwrap().len(), METHODS.len());
+            assert_eq!(json["entries"].as_array().unwrap().len(), CONTENDERS.len());
             assert_eq!(json["entries"][1]["method"], "lut");
             let text = text(&bench);
             assert!(
-                METHODS.iter().all(|&method| text.contains(&name(method))),
+                CONTENDERS.iter().all(|one| text.contains(&one.name())),
                 "{text}"
             );
         }

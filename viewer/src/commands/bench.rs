@@ -11,6 +11,7 @@ use std::time::Duration;
 use viewer::bench::{self, Effort, SIZES, report};
 use viewer::gpu::{Gpu, Renderer};
 use viewer::sky::{self, SkySource};
+use viewer::stars::{StarField, hipparcos};
 
 /// Steps of the progress bar.
 const STEPS: f64 = 1000.0;
@@ -30,8 +31,9 @@ pub fn run(args: &BenchArgs) -> Result<Outcome, CommandError> {
     };
     let gpu = Gpu::open()?;
     let renderer = Renderer::new(&gpu, &sky::load(&SkySource::Nebula)?)?;
+    let stars = StarField::new(&hipparcos(), 0.0);
     let progress = Progress::new("measuring", STEPS as u64);
-    let bench = bench::run(renderer, default_atlas(), &effort, |part| {
+    let bench = bench::run(renderer, &stars, default_atlas(), &effort, |part| {
         progress.reach((part * STEPS) as u64);
     })?;
     progress.finish();

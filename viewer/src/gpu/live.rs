@@ -43,16 +43,24 @@ pub struct Live {
     row: Row,
     room: [u32; 2],
     brushes: Vec<Brush>,
+    sampling: Sampling,
 }
 
 #[derive(Debug)]
 struct Programs {
+    single: Pictures,
+    filtered: Pictures,
+    /// By the first of the steps.
+    difference: Program,
+}
+
+/// What draws pictures by one sampling.
+#[derive(Debug)]
+struct Pictures {
     lut: Program,
     flat: Program,
     /// By their steps.
     direct: Vec<(f64, Program)>,
-    /// By the first of the steps.
-    difference: Program,
 }
 
 impl Live {
@@ -69,6 +77,7 @@ impl Live {
             row: row.clone(),
             room,
             brushes: Vec::new(),
+            sampling: Sampling::Single,
             renderer,
         }
     }
@@ -122,7 +131,8 @@ impl Live {
     }
 
     /// Sets what the next frame draws: on the CPU this is all that a frame takes besides submitting it.
-    /// The two comparisons take the integrator's step from the scene's method.
+    /// The two comparisons take the integrator's step from the scene's method; a difference is of one ray a
+    /// pixel.
     ///
     /// # Panics
     /// If the scene is larger than the room, its row has another shape, or its step is not among those
@@ -146,6 +156,7 @@ impl Live {
                 ([(Brush::Lut, left), (direct, right)], 1.0)
             }
         };
+        self.sampling = scene.sampling;
         self.brushes.clear();
         let tiles = parts
             .into_iter()
@@ -173,12 +184,7 @@ impl Passes for Live {
         pass: usize,
         timestamps: Option<ComputePassTimestampWrites>,
     ) {
-        let program = match self.brushes[pass] {
-            Brush::Lut => &self.programs.lut,
-            Brush::Direct { step } => self.programs.direct(step),
-            Brush::Flat => &self.programs.flat,
-            Brush::Difference => &self.programs.difference,
-        };
+        let program = self.programs.program(self.brushes[pass], self.sampling);
         self.canvas.encode(
             encoder,
             &self.renderer.sky.bind_group,
@@ -191,16 +197,38 @@ impl Passes for Live {
 
 impl Programs {
     fn new(renderer: &Renderer, row: &Row, steps: &[f64]) -> Self {
-        let program = |method, output| {
-            renderer.program(method, Sampling::Single, output, Store::Texture, row)
-        };
-        let direct = |&step| (step, program(Method::Direct { step }, Output::Picture));
         let compared = Method::Direct { step: steps[0] };
+        let (sampling, output) = (Sampling::Single, Output::Difference);
         Programs {
-            lut: program(Method::Lut, Output::Picture),
-            flat: program(Method::Flat, Output::Picture),
+            single: Pictures::new(renderer, row, steps, sampling),
+            filtered: Pictures::new(renderer, row, steps, Sampling::Filtered),
+            difference: renderer.program(compared, sampling, output, Store::Texture, row),
+        }
+    }
+
+    fn program(&self, brush: Brush, sampling: Sampling) -> &Program {
+        let pictures = match sampling {
+            Sampling::Single => &self.single,
+            Sampling::Filtered => &self.filtered,
+        };
+        match brush {
+            Brush::Lut => &pictures.lut,
+            Brush::Direct { step } => pictures.direct(step),
+            Brush::Flat => &pictures.flat,
+            Brush::Difference => &self.difference,
+        }
+    }
+}
+
+impl Pictures {
+    fn new(renderer: &Renderer, row: &Row, steps: &[f64], sampling: Sampling) -> Self {
+        let program =
+            |method| renderer.program(method, sampling, Output::Picture, Store::Texture, row);
+        let direct = |&step| (step, program(Method::Direct { step }));
+        Pictures {
+            lut: program(Method::Lut),
+            flat: program(Method::Flat),
             direct: steps.iter().map(direct).collect(),
-            difference: program(compared, Output::Difference),
         }
     }
 

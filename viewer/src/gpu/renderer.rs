@@ -46,8 +46,8 @@ pub struct Program {
     pub(super) sorter: Option<Sorter>,
 }
 
-/// A renderer on one device, with one sky.
-#[derive(Debug)]
+/// A renderer on one device, with one sky; a clone has the same sky on the same device.
+#[derive(Debug, Clone)]
 pub struct Renderer {
     pub(super) gpu: Gpu,
     pub(super) sky: SkyOnDevice,

@@ -24,7 +24,8 @@ pub trait Passes {
 /// The time of one frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct FrameTime {
-    /// By the GPU's own timestamps, if it has them.
+    /// By the GPU's own timestamps, if it has them and is no software: llvmpipe (Mesa 22.3) may note both of a
+    /// lone dispatch when it is over.
     pub gpu: Option<Duration>,
     /// By the wall clock, from submission to completion; on a GPU this holds the way there and back.
     pub wall: Duration,
@@ -42,7 +43,7 @@ impl<'a> Timer<'a> {
     pub fn new(gpu: &'a Gpu) -> Self {
         Timer {
             gpu,
-            stamps: gpu.has_timestamps().then(|| Stamps::new(&gpu.device)),
+            stamps: (gpu.has_timestamps() && !gpu.is_software()).then(|| Stamps::new(&gpu.device)),
         }
     }
 

@@ -36,6 +36,8 @@ pub enum Command {
     NextOrbitSpeed,
     /// Deflection on or off.
     ToggleDeflection,
+    /// Filtered or one ray a pixel.
+    ToggleFilter,
     /// The next comparison of table and direct integration.
     NextComparison,
     /// The next resolution scale.
@@ -140,6 +142,11 @@ pub const BINDINGS: &[Binding] = &[
         &[pressed(KeyCode::KeyL, Command::ToggleDeflection)],
         "L",
         "deflection on or off",
+    ),
+    binding(
+        &[pressed(KeyCode::KeyV, Command::ToggleFilter)],
+        "V",
+        "the mean over each pixel, or one ray a pixel",
     ),
     binding(
         &[pressed(KeyCode::KeyM, Command::NextComparison)],

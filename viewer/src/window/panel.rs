@@ -5,6 +5,7 @@ use super::motion::{FIELDS_OF_VIEW, MAX_WINDOW_RADIUS, MIN_RADIUS, ORBIT_SPEEDS}
 use super::resolution::Resolution;
 use super::settings::{Comparison, Settings};
 use crate::gpu::Gpu;
+use crate::scene::Sampling;
 use egui::{
     Align2, ClippedPrimitive, ComboBox, Context, Grid, RichText, Slider, TexturesDelta, Ui,
 };
@@ -270,6 +271,16 @@ fn controls(ui: &mut Ui, settings: &mut Settings, facts: &Facts) -> Option<usize
         );
         ui.end_row();
     }
+
+    ui.label("a pixel is");
+    ui.horizontal(|ui| {
+        let mut choice = |sampling, name| {
+            ui.selectable_value(&mut settings.sampling, sampling, name);
+        };
+        choice(Sampling::Filtered, "its mean");
+        choice(Sampling::Single, "one ray");
+    });
+    ui.end_row();
 
     ui.label("resolution");
     ComboBox::from_id_salt("resolution")

@@ -50,8 +50,9 @@ impl Plan {
                 ..settings.view
             })
         };
+        let scene = Scene::new(camera(picture)?, table, settings.method())?;
         Ok(Plan {
-            scene: Scene::new(camera(picture)?, table, settings.method())?,
+            scene: scene.sampled(settings.sampling),
             show: settings.show(picture[0]),
             window: camera(window)?,
             showing: settings.showing(window[0]),

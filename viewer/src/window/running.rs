@@ -189,6 +189,7 @@ impl Running {
                 settings.orbit_speed = (settings.orbit_speed + 1) % ORBIT_SPEEDS.len();
             }
             Command::ToggleDeflection => settings.deflection ^= true,
+            Command::ToggleFilter => settings.toggle_filter(),
             Command::NextComparison => {
                 settings.comparison = next(&Comparison::ALL, settings.comparison);
             }

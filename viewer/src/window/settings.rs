@@ -4,7 +4,7 @@ use super::motion::ORBIT_SPEEDS;
 use super::resolution::Resolution;
 use crate::camera::View;
 use crate::gpu::{Edge, Show, Showing};
-use crate::scene::Method;
+use crate::scene::{Method, Sampling};
 use std::time::Duration;
 
 /// Table against direct integration.
@@ -53,6 +53,8 @@ pub struct Settings {
     pub comparison: Comparison,
     /// Step of the direct integrator, rad.
     pub step: f64,
+    /// What of its area a pixel shows.
+    pub sampling: Sampling,
     /// Where the divider stands, as a part of the window's width.
     pub divider: f64,
     /// What a difference is multiplied by.
@@ -84,6 +86,7 @@ impl Settings {
             deflection: true,
             comparison: Comparison::Table,
             step,
+            sampling: Sampling::Filtered,
             divider: 0.5,
             gain: 256.0,
             exposure: 0.0,
@@ -132,6 +135,14 @@ impl Settings {
     /// The column in which the divider stands.
     pub fn divider_column(&self, width: u32) -> u32 {
         (self.divider * f64::from(width)).round() as u32
+    }
+
+    /// Filters the picture or draws one ray a pixel, whichever it does not now.
+    pub fn toggle_filter(&mut self) {
+        self.sampling = match self.sampling {
+            Sampling::Filtered => Sampling::Single,
+            Sampling::Single => Sampling::Filtered,
+        };
     }
 
     /// Multiplies the gain by a factor.
