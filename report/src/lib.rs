@@ -13,4 +13,4 @@ mod time;
 pub use outcome::Outcome;
 pub use pareto::front;
 pub use progress::Progress;
-pub use time::Time;
+pub use time::{Time, median};

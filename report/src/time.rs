@@ -21,7 +21,8 @@ impl Time {
     }
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
+/// The middle one of `values`, of two the greater; NaN of none.
+pub fn median(mut values: Vec<f64>) -> f64 {
     values.sort_unstable_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }

@@ -40,11 +40,6 @@ impl Measured {
             wall_spread: wall.spread,
         }
     }
-
-    /// T_ray by the GPU's timestamps where there are any, else by the wall clock, ns.
-    pub fn ns_a_ray(&self) -> f64 {
-        self.gpu_ns_a_ray.unwrap_or(self.wall_ns_a_ray)
-    }
 }
 
 #[cfg(test)]
@@ -61,7 +56,7 @@ mod tests {
         assert!((measured.average_fps - 50.0).abs() < 1e-9);
         assert!((measured.minimum_fps - 25.0).abs() < 1e-9);
         assert!(
-            (measured.ns_a_ray() - 1000.0).abs() < 1e-9,
+            (measured.wall_ns_a_ray - 1000.0).abs() < 1e-9,
             "10 ms of 10,000 rays"
         );
     }

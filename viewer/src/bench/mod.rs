@@ -48,6 +48,8 @@ pub struct Entry {
     pub contender: Contender,
     /// Its frames.
     pub measured: Measured,
+    /// T_ray in each round, ns: all contenders draw the same radius in one.
+    pub rounds: Vec<f64>,
 }
 
 /// All of it on one adapter.
@@ -117,17 +119,13 @@ pub fn run(
         let done = |part: f64| round_done((i as f64 + part) / effort.sizes.len() as f64);
         let frames = flight.fly(size, effort, done)?;
         let rays = f64::from(size.0) * f64::from(size.1);
-        let measured = frames.iter().map(|frames| Measured::of(frames, rays));
-        entries.extend(
-            CONTENDERS
-                .iter()
-                .zip(measured)
-                .map(|(&contender, measured)| Entry {
-                    size,
-                    contender,
-                    measured,
-                }),
-        );
+        let entry = |(contender, frames): (_, &Vec<FrameTime>)| Entry {
+            size,
+            contender,
+            measured: Measured::of(frames, rays),
+            rounds: frames.iter().map(|frame| frame.ns_a_ray(rays)).collect(),
+        };
+        entries.extend(CONTENDERS.into_iter().zip(&frames).map(entry));
     }
     Ok(Bench {
         adapter: gpu.name(),

@@ -3,6 +3,7 @@
 use super::contender::{CONTENDERS, Contender, FILTERED, FINEST, FLAT, LUT};
 use super::{Bench, Entry};
 use lensbake_report::csv::quoted;
+use lensbake_report::median;
 use serde::Serialize;
 
 /// The table for a terminal.
@@ -44,14 +45,9 @@ pub fn text(bench: &Bench) -> String {
 
 /// What is promised, and to be compared with other machines.
 fn ratios(bench: &Bench, size: (u32, u32)) -> String {
-    let ns = |contender| bench.entry(size, contender).measured.ns_a_ray();
     let ratio = |what: Contender, over: Contender| {
-        format!(
-            "{} / {} {:.2}",
-            what.name(),
-            over.name(),
-            ns(what) / ns(over)
-        )
+        let ratio = bench.entry(size, what).over(bench.entry(size, over));
+        format!("{} / {} {ratio:.2}", what.name(), over.name())
     };
     let ratios = [
         ratio(LUT, FLAT),
@@ -126,6 +122,14 @@ struct Row {
     error_px: f64,
 }
 
+impl Entry {
+    /// How many times the time of `other` it takes: the median of the rounds.
+    fn over(&self, other: &Entry) -> f64 {
+        let rounds = self.rounds.iter().zip(&other.rounds);
+        median(rounds.map(|(ours, theirs)| ours / theirs).collect())
+    }
+}
+
 impl Bench {
     fn sizes(&self) -> impl Iterator<Item = (u32, u32)> {
         self.entries
@@ -143,7 +147,6 @@ impl Bench {
     fn rows(&self) -> impl Iterator<Item = Row> {
         self.entries.iter().enumerate().map(|(i, entry)| {
             let measured = entry.measured;
-            let flat = self.entry(entry.size, FLAT).measured.ns_a_ray();
             Row {
                 width: entry.size.0,
                 height: entry.size.1,
@@ -154,7 +157,7 @@ impl Bench {
                 gpu_ns_a_ray: measured.gpu_ns_a_ray,
                 wall_ns_a_ray: measured.wall_ns_a_ray,
                 wall_spread: measured.wall_spread,
-                over_flat: measured.ns_a_ray() / flat,
+                over_flat: entry.over(self.entry(entry.size, FLAT)),
                 error_px: self.errors[i % CONTENDERS.len()],
             }
         })
@@ -178,6 +181,7 @@ mod tests {
                 wall_ns_a_ray: 7.0,
                 wall_spread: 0.1,
             },
+            rounds: vec![6.0, 7.0],
         };
         Bench {
             adapter: "an adapter, named".into(),

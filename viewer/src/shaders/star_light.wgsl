@@ -7,10 +7,17 @@
 fn star_light(pixel: vec2<u32>) -> vec3<f32> {
     var next = heads[1u + pixel.y * frame.size.x + pixel.x];
     var light = vec3(0.0);
-    while next != 0u {
-        let node = nodes[next - 1u];
-        light += light_of(node);
-        next = next_of(node);
+    // The end is looked for after each place: a software adapter runs through the loop once more for a look
+    // before.
+    loop {
+        if next != 0u {
+            let node = nodes[next - 1u];
+            light += light_of(node);
+            next = next_of(node);
+        }
+        if next == 0u {
+            break;
+        }
     }
     return light;
 }

@@ -8,10 +8,13 @@ use crate::camera::{Camera, Sight};
 use crate::sky::{face_coordinates, texel_direction};
 use glam::{DVec2, DVec3};
 use lensbake_tables::inverse::Image;
+use rayon::prelude::*;
 use std::f64::consts::PI;
 
 /// Cells along the edge of each face of a cube.
 const CELLS: u32 = 10;
+/// Cells that a thread takes at a time.
+const CELLS_A_TASK: usize = 50;
 
 /// The stars of a field by cell.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,33 +83,58 @@ impl Cells {
     pub fn candidates(&self, camera: &Camera, lens: &Lens, disc_radius: f64) -> Candidates {
         let frustum = Frustum::of(camera);
         let least = point_distance(disc_radius);
-        let mut candidates = Candidates::default();
-        for cell in &self.cells {
-            let direction = camera.sky_from_hole.transpose() * cell.middle;
-            let beta = Sight::of(direction).angle();
-            if beta.min(PI - beta) - cell.radius < 2.0 * least {
-                let stars = cell.stars.iter().map(|(_, star)| *star);
-                candidates.arcs.extend(stars);
-            }
-            // Nearer to the axis there are no points.
-            let angles = [
-                (beta - cell.radius).max(least),
-                beta,
-                (beta + cell.radius).min(PI - least),
-            ];
-            for way in Way::all().flatten() {
-                let Some(stars) = cell.seen(&frustum, lens, direction, angles, way) else {
-                    break;
-                };
-                let images = stars.iter().map(|&(_, star)| Candidate { star, way });
-                candidates.points.extend(images);
-            }
+        let parts: Vec<Candidates> = self
+            .cells
+            .par_chunks(CELLS_A_TASK)
+            .map(|cells| {
+                let mut candidates = Candidates::default();
+                for cell in cells {
+                    cell.append(&mut candidates, camera, &frustum, lens, least);
+                }
+                candidates
+            })
+            .collect();
+        Candidates {
+            points: parts
+                .iter()
+                .flat_map(|part| &part.points)
+                .copied()
+                .collect(),
+            arcs: parts.iter().flat_map(|part| &part.arcs).copied().collect(),
         }
-        candidates
     }
 }
 
 impl Cell {
+    /// Appends what of it may be seen; nearer than `least` to the axis, rad, there are no points.
+    fn append(
+        &self,
+        candidates: &mut Candidates,
+        camera: &Camera,
+        frustum: &Frustum,
+        lens: &Lens,
+        least: f64,
+    ) {
+        let direction = camera.sky_from_hole.transpose() * self.middle;
+        let beta = Sight::of(direction).angle();
+        if beta.min(PI - beta) - self.radius < 2.0 * least {
+            let stars = self.stars.iter().map(|(_, star)| *star);
+            candidates.arcs.extend(stars);
+        }
+        let angles = [
+            (beta - self.radius).max(least),
+            beta,
+            (beta + self.radius).min(PI - least),
+        ];
+        for way in Way::all().flatten() {
+            let Some(stars) = self.seen(frustum, lens, direction, angles, way) else {
+                break;
+            };
+            let images = stars.iter().map(|&(_, star)| Candidate { star, way });
+            candidates.points.extend(images);
+        }
+    }
+
     /// Those of its stars that may be seen by `way`; `None` if no star is bright enough for this way or a
     /// longer one. The cell reaches over `angles` from the direction of the hole: least, middle, most.
     fn seen(
