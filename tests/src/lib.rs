@@ -3,6 +3,7 @@
 mod damaged;
 #[cfg(target_os = "linux")]
 pub mod desktop;
+pub mod probe;
 
 pub use damaged::{Damaged, damaged_tables};
 

@@ -3,14 +3,13 @@
 use glam::{DVec3, Vec3};
 use lensbake_tables::Interpolation;
 use lensbake_tests::gpu;
+use lensbake_tests::probe::{self, Bindings};
 use viewer::camera::Sight;
 use viewer::footprint::Footprint;
 use viewer::gpu::{Gpu, Output, Store, shader_source};
 use viewer::scene::{Method, Sampling};
 use viewer::shadow::Shadow;
 use viewer::tone_map::{self, tone_map};
-use wgpu::util::DeviceExt;
-use wgpu::*;
 
 const FACE_TEXELS: f64 = 512.0;
 const MOST_TAPS: u32 = 16;
@@ -58,7 +57,6 @@ fn probe(@builtin(global_invocation_id) id: vec3<u32>) {
 }";
 
 fn ask(gpu: &Gpu, questions: &[Question]) -> Vec<Answer> {
-    let device = &gpu.device;
     let filter = shader_source(
         Method::Flat,
         Sampling::Filtered,
@@ -69,52 +67,11 @@ fn ask(gpu: &Gpu, questions: &[Question]) -> Vec<Answer> {
         false,
     );
     let source = [&filter, tone_map::WGSL, PROBE].join("\n");
-    let module = device.create_shader_module(ShaderModuleDescriptor {
-        label: None,
-        source: ShaderSource::Wgsl(source.into()),
-    });
-    let pipeline = device.create_compute_pipeline(&ComputePipelineDescriptor {
-        label: None,
-        layout: None,
-        module: &module,
-        entry_point: Some("probe"),
-        compilation_options: Default::default(),
-        cache: None,
-    });
-    let asked = device.create_buffer_init(&util::BufferInitDescriptor {
-        label: None,
-        contents: bytemuck::cast_slice(questions),
-        usage: BufferUsages::STORAGE,
-    });
-    let buffer = |usage| {
-        device.create_buffer(&BufferDescriptor {
-            label: None,
-            size: (questions.len() * size_of::<Answer>()) as u64,
-            usage,
-            mapped_at_creation: false,
-        })
+    let bindings = Bindings {
+        questions: 4,
+        answers: 5,
     };
-    let written = buffer(BufferUsages::STORAGE | BufferUsages::COPY_SRC);
-    let read_back = buffer(BufferUsages::COPY_DST | BufferUsages::MAP_READ);
-    let entry = |binding, resource| BindGroupEntry { binding, resource };
-    let bind_group = device.create_bind_group(&BindGroupDescriptor {
-        label: None,
-        layout: &pipeline.get_bind_group_layout(0),
-        entries: &[
-            entry(4, asked.as_entire_binding()),
-            entry(5, written.as_entire_binding()),
-        ],
-    });
-    let mut encoder = device.create_command_encoder(&Default::default());
-    {
-        let mut pass = encoder.begin_compute_pass(&Default::default());
-        pass.set_pipeline(&pipeline);
-        pass.set_bind_group(0, &bind_group, &[]);
-        pass.dispatch_workgroups((questions.len() as u32).div_ceil(64), 1, 1);
-    }
-    encoder.copy_buffer_to_buffer(&written, 0, &read_back, 0, read_back.size());
-    gpu.queue.submit([encoder.finish()]);
-    gpu.read(&read_back).unwrap()
+    probe::probe(gpu, source, bindings, questions, None)
 }
 
 /// Footprints from a thousandth of a texel to many times round the sky, angles on both sides of the

@@ -4,10 +4,9 @@ use lensbake_core::Observer;
 use lensbake_tables::inverse::{self, GpuInverseRow, exp_arsinh};
 use lensbake_tables::{InverseRow, default_atlas, lookup};
 use lensbake_tests::gpu;
+use lensbake_tests::probe::{self, Bindings};
 use std::f32::consts::PI;
 use viewer::gpu::Gpu;
-use wgpu::util::DeviceExt;
-use wgpu::*;
 
 /// Reads a sky angle each, and writes what each function makes of it.
 const PROBE: &str = "
@@ -37,74 +36,11 @@ fn probe(gpu: &Gpu, row: &GpuInverseRow, angles: &[f32]) -> Vec<[f32; 6]> {
         PROBE,
     ]
     .join("\n");
-    let device = &gpu.device;
-    let module = device.create_shader_module(ShaderModuleDescriptor {
-        label: None,
-        source: ShaderSource::Wgsl(source.into()),
-    });
-    let pipeline = device.create_compute_pipeline(&ComputePipelineDescriptor {
-        label: None,
-        layout: None,
-        module: &module,
-        entry_point: Some("probe"),
-        compilation_options: Default::default(),
-        cache: None,
-    });
-    let input = device.create_buffer_init(&util::BufferInitDescriptor {
-        label: None,
-        contents: bytemuck::cast_slice(angles),
-        usage: BufferUsages::STORAGE,
-    });
-    let texels = device.create_texture_with_data(
-        &gpu.queue,
-        &TextureDescriptor {
-            label: None,
-            size: Extent3d {
-                width: row.texels.len() as u32,
-                height: 1,
-                depth_or_array_layers: 1,
-            },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: TextureDimension::D1,
-            format: TextureFormat::Rg32Float,
-            usage: TextureUsages::TEXTURE_BINDING,
-            view_formats: &[],
-        },
-        util::TextureDataOrder::LayerMajor,
-        bytemuck::cast_slice(&row.texels),
-    );
-    let view = texels.create_view(&Default::default());
-    let buffer = |usage| {
-        device.create_buffer(&BufferDescriptor {
-            label: None,
-            size: size_of::<[f32; 6]>() as u64 * angles.len() as u64,
-            usage,
-            mapped_at_creation: false,
-        })
+    let bindings = Bindings {
+        questions: 0,
+        answers: 2,
     };
-    let written = buffer(BufferUsages::STORAGE | BufferUsages::COPY_SRC);
-    let read_back = buffer(BufferUsages::COPY_DST | BufferUsages::MAP_READ);
-    let entry = |binding, resource| BindGroupEntry { binding, resource };
-    let bind_group = device.create_bind_group(&BindGroupDescriptor {
-        label: None,
-        layout: &pipeline.get_bind_group_layout(0),
-        entries: &[
-            entry(0, input.as_entire_binding()),
-            entry(1, BindingResource::TextureView(&view)),
-            entry(2, written.as_entire_binding()),
-        ],
-    });
-    let mut encoder = device.create_command_encoder(&Default::default());
-    {
-        let mut pass = encoder.begin_compute_pass(&Default::default());
-        pass.set_pipeline(&pipeline);
-        pass.set_bind_group(0, &bind_group, &[]);
-        pass.dispatch_workgroups((angles.len() as u32).div_ceil(64), 1, 1);
-    }
-    encoder.copy_buffer_to_buffer(&written, 0, &read_back, 0, read_back.size());
-    gpu.queue.submit([encoder.finish()]);
-    gpu.read(&read_back).unwrap()
+    probe::probe(gpu, source, bindings, angles, Some((1, &row.texels)))
 }
 
 #[test]

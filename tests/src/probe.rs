@@ -1,0 +1,103 @@
+//! Functions of WGSL, asked on a GPU for what they make of many questions.
+
+use viewer::gpu::Gpu;
+use wgpu::util::DeviceExt;
+use wgpu::*;
+
+/// Where a probe's entry point finds its questions and puts its answers: bindings of group 0.
+#[derive(Debug, Clone, Copy)]
+pub struct Bindings {
+    /// `var<storage, read>`, an array of questions.
+    pub questions: u32,
+    /// `var<storage, read_write>`, an array of as many answers.
+    pub answers: u32,
+}
+
+/// Runs the entry point `probe` of `source`, 64 invocations a workgroup, with an invocation for each of
+/// `questions`. A `row` of texels with slopes is bound as a 1-D texture to the binding given with it.
+///
+/// # Panics
+/// If the device fails.
+pub fn probe<Q: bytemuck::Pod, A: bytemuck::Pod>(
+    gpu: &Gpu,
+    source: String,
+    bindings: Bindings,
+    questions: &[Q],
+    row: Option<(u32, &[[f32; 2]])>,
+) -> Vec<A> {
+    let device = &gpu.device;
+    let module = device.create_shader_module(ShaderModuleDescriptor {
+        label: None,
+        source: ShaderSource::Wgsl(source.into()),
+    });
+    let pipeline = device.create_compute_pipeline(&ComputePipelineDescriptor {
+        label: None,
+        layout: None,
+        module: &module,
+        entry_point: Some("probe"),
+        compilation_options: Default::default(),
+        cache: None,
+    });
+    let asked = device.create_buffer_init(&util::BufferInitDescriptor {
+        label: None,
+        contents: bytemuck::cast_slice(questions),
+        usage: BufferUsages::STORAGE,
+    });
+    let buffer = |usage| {
+        device.create_buffer(&BufferDescriptor {
+            label: None,
+            size: (questions.len() * size_of::<A>()) as u64,
+            usage,
+            mapped_at_creation: false,
+        })
+    };
+    let written = buffer(BufferUsages::STORAGE | BufferUsages::COPY_SRC);
+    let read_back = buffer(BufferUsages::COPY_DST | BufferUsages::MAP_READ);
+    let row = row.map(|(binding, texels)| (binding, row_texture(gpu, texels)));
+    let entry = |binding, resource| BindGroupEntry { binding, resource };
+    let mut entries = vec![
+        entry(bindings.questions, asked.as_entire_binding()),
+        entry(bindings.answers, written.as_entire_binding()),
+    ];
+    if let Some((binding, view)) = &row {
+        entries.push(entry(*binding, BindingResource::TextureView(view)));
+    }
+    let bind_group = device.create_bind_group(&BindGroupDescriptor {
+        label: None,
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &entries,
+    });
+    let mut encoder = device.create_command_encoder(&Default::default());
+    {
+        let mut pass = encoder.begin_compute_pass(&Default::default());
+        pass.set_pipeline(&pipeline);
+        pass.set_bind_group(0, &bind_group, &[]);
+        pass.dispatch_workgroups((questions.len() as u32).div_ceil(64), 1, 1);
+    }
+    encoder.copy_buffer_to_buffer(&written, 0, &read_back, 0, read_back.size());
+    gpu.queue.submit([encoder.finish()]);
+    gpu.read(&read_back).unwrap()
+}
+
+fn row_texture(gpu: &Gpu, texels: &[[f32; 2]]) -> TextureView {
+    let descriptor = TextureDescriptor {
+        label: None,
+        size: Extent3d {
+            width: texels.len() as u32,
+            height: 1,
+            depth_or_array_layers: 1,
+        },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: TextureDimension::D1,
+        format: TextureFormat::Rg32Float,
+        usage: TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    };
+    let order = util::TextureDataOrder::LayerMajor;
+    let contents = bytemuck::cast_slice(texels);
+    let texture = gpu
+        .device
+        .create_texture_with_data(&gpu.queue, &descriptor, order, contents);
+    texture.create_view(&Default::default())
+}
