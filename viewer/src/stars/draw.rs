@@ -7,7 +7,7 @@ use super::{PointStar, StarField};
 use crate::camera::Camera;
 use crate::picture::Picture;
 use crate::scene::Scene;
-use glam::{DVec2, Vec3};
+use glam::{DVec2, DVec3, Vec3};
 use lensbake_core::CoreError;
 use rayon::prelude::*;
 
@@ -39,12 +39,11 @@ pub fn draw(picture: &mut Picture, scene: &Scene, field: &StarField) -> Result<(
 /// As [`draw`].
 pub fn splats(scene: &Scene, field: &StarField) -> Result<Vec<Splat>, CoreError> {
     let lens = Lens::of(scene)?;
-    let camera = &scene.camera;
     let per_star = |star: &PointStar| {
-        let mut drawn = Vec::new();
-        point_images(camera, &lens, star, field.disc_radius, &mut drawn);
-        arc_images(camera, &lens, star, field.disc_radius, &mut drawn);
-        drawn
+        let mut drawing = Drawing::new(&scene.camera, &lens, field.disc_radius);
+        drawing.add_points(star);
+        drawing.add_arcs(star);
+        drawing.splats
     };
     Ok(field.stars.par_iter().flat_map_iter(per_star).collect())
 }
@@ -56,66 +55,68 @@ pub fn arc_splats<'a>(
     stars: impl Iterator<Item = &'a PointStar>,
     disc_radius: f64,
 ) -> Vec<Splat> {
-    let mut drawn = Vec::new();
+    let mut drawing = Drawing::new(camera, lens, disc_radius);
     for star in stars {
-        arc_images(camera, lens, star, disc_radius, &mut drawn);
+        drawing.add_arcs(star);
     }
-    drawn
+    drawing.splats
 }
 
-fn point_images(
-    camera: &Camera,
-    lens: &Lens,
-    star: &PointStar,
+/// Stars of one angular radius as a camera sees them through a lens.
+struct Drawing<'a> {
+    camera: &'a Camera,
+    lens: &'a Lens,
     disc_radius: f64,
-    drawn: &mut Vec<Splat>,
-) {
-    let direction = camera.sky_from_hole.transpose() * star.direction;
-    for pair in lens.images(direction, disc_radius) {
-        let mut bright = false;
-        for image in pair.into_iter().flatten() {
-            let light = star.light * image.magnification as f32;
-            if light.max_element() >= FAINTEST {
-                bright = true;
-                if let Some(at) = camera.project(image.direction) {
-                    push(camera, at, light, drawn);
+    splats: Vec<Splat>,
+}
+
+impl<'a> Drawing<'a> {
+    fn new(camera: &'a Camera, lens: &'a Lens, disc_radius: f64) -> Self {
+        Drawing {
+            camera,
+            lens,
+            disc_radius,
+            splats: Vec::new(),
+        }
+    }
+
+    fn add_points(&mut self, star: &PointStar) {
+        let direction = self.camera.sky_from_hole.transpose() * star.direction;
+        for pair in self.lens.images(direction, self.disc_radius) {
+            let mut bright = false;
+            for image in pair.into_iter().flatten() {
+                let light = star.light * image.magnification as f32;
+                if light.max_element() >= FAINTEST {
+                    bright = true;
+                    self.add(image.direction, light);
                 }
             }
-        }
-        if !bright {
-            break;
+            if !bright {
+                break;
+            }
         }
     }
-}
 
-fn arc_images(
-    camera: &Camera,
-    lens: &Lens,
-    star: &PointStar,
-    disc_radius: f64,
-    drawn: &mut Vec<Splat>,
-) {
-    let direction = camera.sky_from_hole.transpose() * star.direction;
-    arcs(
-        lens,
-        direction,
-        disc_radius,
-        camera.right.length(),
-        |piece| {
-            if let Some(at) = camera.project(piece.direction) {
-                push(camera, at, star.light * piece.magnification as f32, drawn);
+    fn add_arcs(&mut self, star: &PointStar) {
+        let (lens, disc_radius) = (self.lens, self.disc_radius);
+        let direction = self.camera.sky_from_hole.transpose() * star.direction;
+        let px = self.camera.right.length();
+        arcs(lens, direction, disc_radius, px, |piece| {
+            self.add(piece.direction, star.light * piece.magnification as f32);
+        });
+    }
+
+    /// Adds the light that is seen in a direction, as far as the picture has it.
+    fn add(&mut self, direction: DVec3, light: Vec3) {
+        let Some(at) = self.camera.project(direction) else {
+            return;
+        };
+        let size = DVec2::new(self.camera.width.into(), self.camera.height.into());
+        for (reach, light) in spread(light) {
+            let margin = DVec2::splat(reach);
+            if at.cmpgt(-margin).all() && at.cmplt(size + margin).all() {
+                self.splats.push(Splat { at, reach, light });
             }
-        },
-    );
-}
-
-/// Adds the light that falls `at` a point to what is drawn, as far as the picture has it.
-fn push(camera: &Camera, at: DVec2, light: Vec3, drawn: &mut Vec<Splat>) {
-    let size = DVec2::new(camera.width.into(), camera.height.into());
-    for (reach, light) in spread(light) {
-        let margin = DVec2::splat(reach);
-        if at.cmpgt(-margin).all() && at.cmplt(size + margin).all() {
-            drawn.push(Splat { at, reach, light });
         }
     }
 }
