@@ -43,16 +43,12 @@ pub fn probe<Q: bytemuck::Pod, A: bytemuck::Pod>(
         contents: bytemuck::cast_slice(questions),
         usage: BufferUsages::STORAGE,
     });
-    let buffer = |usage| {
-        device.create_buffer(&BufferDescriptor {
-            label: None,
-            size: (questions.len() * size_of::<A>()) as u64,
-            usage,
-            mapped_at_creation: false,
-        })
-    };
-    let written = buffer(BufferUsages::STORAGE | BufferUsages::COPY_SRC);
-    let read_back = buffer(BufferUsages::COPY_DST | BufferUsages::MAP_READ);
+    let written = device.create_buffer(&BufferDescriptor {
+        label: None,
+        size: (questions.len() * size_of::<A>()) as u64,
+        usage: BufferUsages::STORAGE | BufferUsages::COPY_SRC,
+        mapped_at_creation: false,
+    });
     let row = row.map(|(binding, texels)| (binding, row_texture(gpu, texels)));
     let entry = |binding, resource| BindGroupEntry { binding, resource };
     let mut entries = vec![
@@ -74,9 +70,8 @@ pub fn probe<Q: bytemuck::Pod, A: bytemuck::Pod>(
         pass.set_bind_group(0, &bind_group, &[]);
         pass.dispatch_workgroups((questions.len() as u32).div_ceil(64), 1, 1);
     }
-    encoder.copy_buffer_to_buffer(&written, 0, &read_back, 0, read_back.size());
     gpu.queue.submit([encoder.finish()]);
-    gpu.read(&read_back).unwrap()
+    gpu.copy_back(&written, written.size()).unwrap()
 }
 
 fn row_texture(gpu: &Gpu, texels: &[[f32; 2]]) -> TextureView {

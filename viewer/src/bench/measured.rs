@@ -1,7 +1,7 @@
 //! What the frames of one method come to.
 
+use crate::chart::FrameTimes;
 use crate::gpu::FrameTime;
-use lensbake_report::Time;
 use serde::Serialize;
 use std::time::Duration;
 
@@ -24,18 +24,15 @@ pub struct Measured {
 
 impl Measured {
     /// Of frames of so many rays each.
-    pub(super) fn of(frames: &[FrameTime], rays: f64) -> Self {
-        let ns = |time: Duration| 1e9 * time.as_secs_f64() / rays;
+    pub(super) fn of(frames: &[FrameTime], rays: usize) -> Self {
         let total: Duration = frames.iter().map(|frame| frame.wall).sum();
         let slowest = frames.iter().map(|frame| frame.wall).max();
-        let wall: Vec<f64> = frames.iter().map(|frame| ns(frame.wall)).collect();
-        let wall = Time::of(&wall);
-        let gpu: Option<Vec<f64>> = frames.iter().map(|frame| frame.gpu.map(ns)).collect();
+        let FrameTimes { gpu, wall } = FrameTimes::of(frames, rays);
         Measured {
             frames: frames.len(),
             average_fps: frames.len() as f64 / total.as_secs_f64(),
             minimum_fps: 1.0 / slowest.unwrap_or_default().as_secs_f64(),
-            gpu_ns_a_ray: gpu.map(|times| Time::of(&times).ns),
+            gpu_ns_a_ray: gpu.map(|time| time.ns),
             wall_ns_a_ray: wall.ns,
             wall_spread: wall.spread,
         }
@@ -52,7 +49,7 @@ mod tests {
             gpu: None,
             wall: Duration::from_millis(ms),
         };
-        let measured = Measured::of(&[frame(10), frame(10), frame(40)], 1e4);
+        let measured = Measured::of(&[frame(10), frame(10), frame(40)], 10_000);
         assert!((measured.average_fps - 50.0).abs() < 1e-9);
         assert!((measured.minimum_fps - 25.0).abs() < 1e-9);
         assert!(

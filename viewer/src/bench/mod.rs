@@ -118,7 +118,7 @@ pub fn run(
     for (i, &size) in effort.sizes.iter().enumerate() {
         let done = |part: f64| round_done((i as f64 + part) / effort.sizes.len() as f64);
         let frames = flight.fly(size, effort, done)?;
-        let rays = f64::from(size.0) * f64::from(size.1);
+        let rays = size.0 as usize * size.1 as usize;
         let entry = |(contender, frames): (_, &Vec<FrameTime>)| Entry {
             size,
             contender,

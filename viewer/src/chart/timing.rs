@@ -21,7 +21,7 @@ impl FrameTimes {
     }
 
     /// Of the frames drawn, `rays` rays each.
-    fn of(frames: &[FrameTime], rays: usize) -> Self {
+    pub fn of(frames: &[FrameTime], rays: usize) -> Self {
         let ns = |time: Duration| 1e9 * time.as_secs_f64() / rays as f64;
         let gpu: Option<Vec<f64>> = frames.iter().map(|frame| frame.gpu.map(ns)).collect();
         let wall: Vec<f64> = frames.iter().map(|frame| ns(frame.wall)).collect();

@@ -189,8 +189,9 @@ mod tests {
             canvas.encode(&mut encoder, sky, &program, index, None);
             queue.submit([encoder.finish()]);
         }
-        let lists = read(&renderer.gpu, &canvas.block_lists().lists);
-        let blocks = read(&renderer.gpu, &canvas.block_lists().blocks);
+        let read = |buffer: &Buffer| renderer.gpu.copy_back::<u32>(buffer, buffer.size());
+        let lists = read(&canvas.block_lists().lists).unwrap();
+        let blocks = read(&canvas.block_lists().blocks).unwrap();
         let counts = lists.chunks((LIST / 4) as usize).map(|list| list[3]);
         let firsts = places(tiles).zip(tiles).flat_map(|((_, first), tile)| {
             (0..LISTS).map(move |list| first + list * room(tile) / LISTS)
@@ -199,19 +200,6 @@ mod tests {
             .zip(counts)
             .map(|(first, count)| blocks[first as usize..(first + count) as usize].to_vec())
             .collect()
-    }
-
-    fn read(gpu: &Gpu, buffer: &Buffer) -> Vec<u32> {
-        let read_back = gpu.device.create_buffer(&BufferDescriptor {
-            label: None,
-            size: buffer.size(),
-            usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
-            mapped_at_creation: false,
-        });
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        encoder.copy_buffer_to_buffer(buffer, 0, &read_back, 0, buffer.size());
-        gpu.queue.submit([encoder.finish()]);
-        gpu.read(&read_back).unwrap()
     }
 
     fn renderer(gpu: &Gpu, face_texels: u32) -> Renderer {

@@ -211,6 +211,27 @@ impl Gpu {
         Ok(contents)
     }
 
+    /// The first `bytes` bytes of `buffer`, which must have [`BufferUsages::COPY_SRC`].
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`] if the device does.
+    pub fn copy_back<T: bytemuck::Pod>(
+        &self,
+        buffer: &Buffer,
+        bytes: u64,
+    ) -> Result<Vec<T>, GpuError> {
+        let read_back = self.device.create_buffer(&BufferDescriptor {
+            label: Some("read back"),
+            size: bytes,
+            usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        let mut encoder = self.device.create_command_encoder(&Default::default());
+        encoder.copy_buffer_to_buffer(buffer, 0, &read_back, 0, bytes);
+        self.queue.submit([encoder.finish()]);
+        self.read(&read_back)
+    }
+
     fn failed(&self, reason: impl ToString) -> GpuError {
         GpuError::Failed {
             adapter: self.info.name.clone(),

@@ -34,8 +34,8 @@ pub struct FrameTime {
 impl FrameTime {
     /// The time of each of so many rays by the GPU's timestamps where there are any, else by the wall clock,
     /// ns.
-    pub fn ns_a_ray(&self, rays: f64) -> f64 {
-        1e9 * self.gpu.unwrap_or(self.wall).as_secs_f64() / rays
+    pub fn ns_a_ray(&self, rays: usize) -> f64 {
+        1e9 * self.gpu.unwrap_or(self.wall).as_secs_f64() / rays as f64
     }
 }
 

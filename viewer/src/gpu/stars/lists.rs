@@ -152,16 +152,7 @@ impl StarLists {
     /// # Errors
     /// [`GpuError::TooManyStars`] if they have not, [`GpuError::Failed`] if the device fails.
     pub(in crate::gpu) fn check(&self, gpu: &Gpu) -> Result<(), GpuError> {
-        let count = gpu.device.create_buffer(&BufferDescriptor {
-            label: Some("number of nodes"),
-            size: 4,
-            usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
-            mapped_at_creation: false,
-        });
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        encoder.copy_buffer_to_buffer(&self.heads, 0, &count, 0, 4);
-        gpu.queue.submit([encoder.finish()]);
-        let count: Vec<u32> = gpu.read(&count)?;
+        let count: Vec<u32> = gpu.copy_back(&self.heads, 4)?;
         if self.full || u64::from(count[0]) > NODES {
             return Err(GpuError::TooManyStars);
         }
