@@ -78,6 +78,14 @@ pub(super) fn texture_binding(
     }
 }
 
+pub(super) fn uint_texture_binding() -> BindingType {
+    BindingType::Texture {
+        sample_type: TextureSampleType::Uint,
+        view_dimension: TextureViewDimension::D2,
+        multisampled: false,
+    }
+}
+
 pub(super) fn storage_texture_binding(format: TextureFormat) -> BindingType {
     BindingType::StorageTexture {
         access: StorageTextureAccess::WriteOnly,

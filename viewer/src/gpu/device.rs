@@ -27,14 +27,11 @@ pub enum GpuError {
          stars, or use --device cpu"
     )]
     TooManyStars,
-    /// A picture with more pixels than there can be lists of stars.
+    /// A picture with more pixels than it has lists of stars for.
     #[error(
-        "the GPU draws stars in pictures of at most {most} pixels: use --device cpu for a larger one"
+        "the picture is too large for the GPU to draw stars in: use --device cpu, or fewer pixels"
     )]
-    TooLargeForStars {
-        /// The most pixels.
-        most: u64,
-    },
+    TooLargeForStars,
     /// There is one, but it cannot draw to the window.
     #[error("the window cannot be drawn to: {0}")]
     NoSurface(String),

@@ -1,4 +1,4 @@
-// Puts the light of the stars into lists, one for each pixel, for star_light.wgsl to add up. One invocation
+// Puts the light of the stars into lists for star_light.wgsl to add up. One invocation
 // an image of a star, then one a piece of an arc. Twin of stars/draw.rs.
 
 struct Lens {
@@ -28,9 +28,9 @@ struct Piece {
 @group(0) @binding(2) var<storage, read> stars: array<Star>;
 @group(0) @binding(3) var<storage, read> pieces: array<Piece>;
 // The images that the picture may show: the index of the star, and from bit 24 on the way of its light.
-@group(0) @binding(6) var<storage, read> candidates: array<u32>;
-@group(0) @binding(4) var<storage, read_write> heads: array<atomic<u32>>;
-@group(0) @binding(5) var<storage, read_write> nodes: array<Node>;
+@group(0) @binding(4) var<storage, read> candidates: array<u32>;
+@group(0) @binding(5) var<storage, read_write> heads: array<atomic<u32>>;
+@group(0) @binding(6) var nodes: texture_storage_2d<rgba32uint, write>;
 
 fn inverse_texel(i: u32) -> vec2<f32> {
     let pair = lens.texels[i / 2u];
@@ -51,18 +51,31 @@ fn insert(at: vec2<f32>, reach: f32, light: vec3<f32>) {
     if any(high < low) {
         return;
     }
-    let first = vec2<u32>(low);
-    let count = vec2<u32>(high) - first + 1u;
-    var index = atomicAdd(&heads[0], count.x * count.y);
-    for (var y = first.y; y < first.y + count.y; y++) {
-        for (var x = first.x; x < first.x + count.x; x++) {
-            let share = kernel_weight(vec2(f32(x), f32(y)) + 0.5 - at, reach);
-            if share > 0.0 && index < arrayLength(&nodes) {
-                let next = atomicExchange(&heads[1u + y * frame.size.x + x], index + 1u);
-                nodes[index] = packed(light * share, next);
+    let first = vec2<u32>(vec2(low.x / f32(SHARING), low.y));
+    let last = vec2<u32>(vec2(high.x / f32(SHARING), high.y));
+    let count = last - first + 1u;
+    var place = 1u + atomicAdd(&heads[0], count.x * count.y);
+    var y = first.y;
+    // The ends are looked for after each turn: see star_light.wgsl.
+    loop {
+        let row = kernel_row(f32(y) + 0.5 - at.y, reach);
+        var x = first.x;
+        loop {
+            if place < PLACES {
+                let next = atomicExchange(&heads[1u + y * lists_a_row() + x], place);
+                let node = Node(light * row.factor, at.x, row.inverse_sq, next);
+                textureStore(nodes, texel_of(place), packed(node));
             }
-            index++;
+            place++;
+            if x == last.x {
+                break;
+            }
+            x++;
         }
+        if y == last.y {
+            break;
+        }
+        y++;
     }
 }
 

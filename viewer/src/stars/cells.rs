@@ -1,25 +1,31 @@
 //! Stars sorted into cells of the sky, so that a frame looks only at those that it may show: a cell is left
 //! out if none of its images falls into the picture, and of each cell all stars that are too faint there.
 
-use super::StarField;
-use super::images::{FAINTEST, Lens, Way, point_distance, view_direction};
+use super::images::{FAINTEST, Lens, Way, view_direction};
 use super::kernel::REACHES;
+use super::ways::{Seen, Ways};
+use super::{PointStar, StarField};
 use crate::camera::{Camera, Sight};
 use crate::sky::{face_coordinates, texel_direction};
 use glam::{DVec2, DVec3};
-use lensbake_tables::inverse::Image;
-use rayon::prelude::*;
 use std::f64::consts::PI;
+use std::ops::Range;
 
 /// Cells along the edge of each face of a cube.
 const CELLS: u32 = 10;
-/// Cells that a thread takes at a time.
-const CELLS_A_TASK: usize = 50;
+/// Places along the edge of a cell by which its stars are sorted.
+const PLACES: u32 = 256;
 
 /// The stars of a field by cell.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cells {
     cells: Vec<Cell>,
+    /// Cell by cell; and in a cell neighbours stand near each other: so do their images in the memory of who
+    /// draws them in this order.
+    stars: Vec<PointStar>,
+    /// The light of each in its brightest channel.
+    lights: Vec<f32>,
+    disc_radius: f64,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -27,8 +33,10 @@ struct Cell {
     /// A unit vector in the sky frame, and the greatest angle of a star from it, rad.
     middle: DVec3,
     radius: f64,
-    /// Light in the brightest channel and index of each star, the brightest first.
-    stars: Vec<(f32, u32)>,
+    /// Which stars are in it.
+    stars: Range<u32>,
+    /// The most light of a star.
+    brightest: f32,
 }
 
 /// What a frame may show.
@@ -36,137 +44,144 @@ struct Cell {
 pub struct Candidates {
     /// Images that may be seen as points.
     pub points: Vec<Candidate>,
-    /// Indices of the stars that may be seen as arcs.
+    /// Which of [`Cells::stars`] may be seen as arcs.
     pub arcs: Vec<u32>,
 }
 
-/// An image of a star.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Candidate {
-    /// The star's index.
-    pub star: u32,
-    /// The way its light takes.
-    pub way: Way,
+/// An image of a star, as `shaders/stars.wgsl` reads it: in the lower 24 bits which of [`Cells::stars`] the
+/// star is, above them the way of its light as [`Way::all`] counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(transparent)]
+pub struct Candidate(u32);
+
+impl Candidate {
+    fn new(star: u32, way: usize) -> Self {
+        Candidate(star | (way as u32) << 24)
+    }
 }
 
 impl Cells {
     /// The cells of `field`.
     pub fn new(field: &StarField) -> Self {
-        let mut cells: Vec<Cell> = (0..6 * CELLS * CELLS)
-            .map(|i| {
-                let (face, in_face) = (i / (CELLS * CELLS), i % (CELLS * CELLS));
-                let (row, column) = (in_face / CELLS, in_face % CELLS);
-                let middle = texel_direction(CELLS, face as usize, column, row);
-                Cell {
-                    middle: middle.as_dvec3().normalize(),
-                    radius: 0.0,
-                    stars: Vec::new(),
-                }
-            })
-            .collect();
-        for (index, star) in (0..).zip(&field.stars) {
-            let (face, u, v) = face_coordinates(star.direction.as_vec3());
-            let place = |unit: f32| ((unit * CELLS as f32) as u32).min(CELLS - 1);
-            let cell = (face as u32 * CELLS + place(v)) * CELLS + place(u);
-            let cell = &mut cells[cell as usize];
-            cell.radius = cell.radius.max(star.direction.angle_between(cell.middle));
-            cell.stars.push((star.light.max_element(), index));
-        }
-        cells.retain_mut(|cell| {
-            cell.stars.sort_by(|a, b| b.0.total_cmp(&a.0));
-            !cell.stars.is_empty()
+        let place = |direction: DVec3| {
+            let (face, u, v) = face_coordinates(direction.as_vec3());
+            let fine = [v, u].map(|unit| {
+                let fine = (unit * (CELLS * PLACES) as f32) as u32;
+                fine.min(CELLS * PLACES - 1)
+            });
+            let [row, column] = fine.map(|fine| fine / PLACES);
+            let cell = (face as u32 * CELLS + row) * CELLS + column;
+            (cell, interleaved(fine.map(|fine| fine % PLACES)))
+        };
+        let placed = |star: &PointStar| (place(star.direction), *star);
+        let mut placed: Vec<((u32, u32), PointStar)> = field.stars.iter().map(placed).collect();
+        placed.sort_by_key(|(place, _)| *place);
+        let mut next = 0;
+        let cells = placed.chunk_by(|(a, _), (b, _)| a.0 == b.0).map(|stars| {
+            let first = next;
+            next += stars.len() as u32;
+            let middle = middle_of(stars[0].0.0);
+            let from_middle = |(_, star): &(_, PointStar)| star.direction.angle_between(middle);
+            let lights = stars.iter().map(|(_, star)| star.light.max_element());
+            Cell {
+                middle,
+                radius: stars.iter().map(from_middle).fold(0.0, f64::max),
+                stars: first..next,
+                brightest: lights.fold(0.0, f32::max),
+            }
         });
-        Cells { cells }
-    }
-
-    /// What the picture of `camera` may show through `lens`, and perhaps a few images that it does not.
-    pub fn candidates(&self, camera: &Camera, lens: &Lens, disc_radius: f64) -> Candidates {
-        let frustum = Frustum::of(camera);
-        let least = point_distance(disc_radius);
-        let parts: Vec<Candidates> = self
-            .cells
-            .par_chunks(CELLS_A_TASK)
-            .map(|cells| {
-                let mut candidates = Candidates::default();
-                for cell in cells {
-                    cell.append(&mut candidates, camera, &frustum, lens, least);
-                }
-                candidates
-            })
-            .collect();
-        Candidates {
-            points: parts
-                .iter()
-                .flat_map(|part| &part.points)
-                .copied()
-                .collect(),
-            arcs: parts.iter().flat_map(|part| &part.arcs).copied().collect(),
+        let cells = cells.collect();
+        let stars: Vec<PointStar> = placed.into_iter().map(|(_, star)| star).collect();
+        Cells {
+            cells,
+            lights: stars.iter().map(|star| star.light.max_element()).collect(),
+            stars,
+            disc_radius: field.disc_radius,
         }
     }
-}
 
-impl Cell {
-    /// Appends what of it may be seen; nearer than `least` to the axis, rad, there are no points.
+    /// The angular radius of each star, rad.
+    pub fn disc_radius(&self) -> f64 {
+        self.disc_radius
+    }
+
+    /// All stars of the field, in the order in which candidates name them.
+    pub fn stars(&self) -> &[PointStar] {
+        &self.stars
+    }
+
+    /// Puts into `candidates`, in place of what is there, what the picture of `camera` may show through `lens`,
+    /// and perhaps a few images that it does not.
+    pub fn find(&self, camera: &Camera, lens: &Lens, candidates: &mut Candidates) {
+        candidates.points.clear();
+        candidates.arcs.clear();
+        let frustum = Frustum::of(camera);
+        let ways = Ways::of(lens, self.disc_radius);
+        for cell in &self.cells {
+            self.append(candidates, cell, camera, &frustum, &ways);
+        }
+    }
+
+    /// Appends what may be seen of a cell.
     fn append(
         &self,
         candidates: &mut Candidates,
+        cell: &Cell,
         camera: &Camera,
         frustum: &Frustum,
-        lens: &Lens,
-        least: f64,
+        ways: &Ways,
     ) {
-        let direction = camera.sky_from_hole.transpose() * self.middle;
+        let direction = camera.sky_from_hole.transpose() * cell.middle;
         let beta = Sight::of(direction).angle();
-        if beta.min(PI - beta) - self.radius < 2.0 * least {
-            let stars = self.stars.iter().map(|(_, star)| *star);
-            candidates.arcs.extend(stars);
+        if ways.may_be_arc(beta.min(PI - beta) - cell.radius) {
+            candidates.arcs.extend(cell.stars.clone());
         }
-        let angles = [
-            (beta - self.radius).max(least),
-            beta,
-            (beta + self.radius).min(PI - least),
-        ];
-        for way in Way::all().flatten() {
-            let Some(stars) = self.seen(frustum, lens, direction, angles, way) else {
+        let azimuth = direction.truncate().normalize_or(DVec2::X);
+        for (index, way) in Way::all().flatten().enumerate() {
+            let seen = ways.seen(index, beta - cell.radius, beta + cell.radius);
+            let Some(seen) = seen else {
+                // The undeflected sky: beside the black sphere, or another way than the straight one.
+                if way.is_straight() {
+                    self.append_brighter(&mut candidates.points, cell, index, 0.0);
+                }
                 break;
             };
-            let images = stars.iter().map(|&(_, star)| Candidate { star, way });
-            candidates.points.extend(images);
+            let least = (f64::from(FAINTEST) / seen.brightness) as f32 * (1.0 - 1e-6);
+            if cell.brightest < least && !way.is_straight() {
+                break;
+            }
+            if frustum.may_see_cell(azimuth * way.side, &seen, cell.radius) {
+                self.append_brighter(&mut candidates.points, cell, index, least);
+            }
         }
     }
 
-    /// Those of its stars that may be seen by `way`; `None` if no star is bright enough for this way or a
-    /// longer one. The cell reaches over `angles` from the direction of the hole: least, middle, most.
-    fn seen(
-        &self,
-        frustum: &Frustum,
-        lens: &Lens,
-        direction: DVec3,
-        angles: [f64; 3],
-        way: Way,
-    ) -> Option<&[(f32, u32)]> {
-        let [Some(near), Some(middle), Some(far)] =
-            angles.map(|angle| lens.image(way.sky_angle(angle)))
-        else {
-            // The undeflected sky: beside the black sphere, or another way than the straight one.
-            return way.is_straight().then_some(&self.stars);
-        };
-        // How much the cell is stretched about the axis, at the most; along the view angle it is squeezed.
-        let about_axis = |image: Image, angle: f64| image.theta.sin() / angle.sin();
-        let stretch = about_axis(near, angles[0]).max(about_axis(far, angles[2]));
-        let brightest = stretch * near.stretch.max(far.stretch);
-        let bright = |light: f32| f64::from(light) * brightest >= f64::from(FAINTEST);
-        let bright = self.stars.partition_point(|(light, _)| bright(*light));
-        if bright == 0 && !way.is_straight() {
-            return None;
+    /// Appends those stars of a cell by one way that have at least this light: without a branch, for there is
+    /// no telling which have.
+    fn append_brighter(&self, points: &mut Vec<Candidate>, cell: &Cell, way: usize, least: f32) {
+        let mut end = points.len();
+        points.resize(end + cell.stars.len(), Candidate(0));
+        for star in cell.stars.clone() {
+            points[end] = Candidate::new(star, way);
+            end += usize::from(self.lights[star as usize] >= least);
         }
-        let azimuth = direction.truncate().normalize_or(DVec2::X) * way.side;
-        let seen = frustum.may_see(
-            view_direction(azimuth, middle.theta),
-            self.radius * stretch.max(1.0),
-        );
-        Some(if seen { &self.stars[..bright] } else { &[] })
+        points.truncate(end);
     }
+}
+
+/// The unit vector to the middle of the cell of this index, sky frame.
+fn middle_of(cell: u32) -> DVec3 {
+    let (face, in_face) = (cell / (CELLS * CELLS), cell % (CELLS * CELLS));
+    let (row, column) = (in_face / CELLS, in_face % CELLS);
+    let middle = texel_direction(CELLS, face as usize, column, row);
+    middle.as_dvec3().normalize()
+}
+
+/// The bits of both by turns (Morton's order).
+fn interleaved([row, column]: [u32; 2]) -> u32 {
+    (0..PLACES.ilog2()).fold(0, |bits, i| {
+        bits | (column >> i & 1) << (2 * i) | (row >> i & 1) << (2 * i + 1)
+    })
 }
 
 /// The directions that a picture shows, and a margin for the widest kernel.
@@ -195,6 +210,14 @@ impl Frustum {
         }
     }
 
+    /// Whether the image of a cell of this `radius` may be in the picture.
+    fn may_see_cell(&self, azimuth: DVec2, seen: &Seen, radius: f64) -> bool {
+        let along = 0.5 * (seen.farthest - seen.nearest);
+        let middle = 0.5 * (seen.farthest + seen.nearest);
+        let about = radius * seen.about_axis.max(1.0);
+        self.may_see(view_direction(azimuth, middle), along.max(about))
+    }
+
     /// Whether a circle of `radius` (rad) about a unit `direction` may be in the picture.
     fn may_see(&self, direction: DVec3, radius: f64) -> bool {
         let reach = (radius + self.margin).min(0.5 * PI).sin();
@@ -215,8 +238,20 @@ mod tests {
     fn no_star_that_is_seen_is_left_out() {
         let field = StarField::new(&hipparcos(), 0.0);
         let cells = Cells::new(&field);
-        let counted: usize = cells.cells.iter().map(|cell| cell.stars.len()).sum();
-        assert_eq!(counted, field.stars.len());
+        let in_cells: usize = cells.cells.iter().map(|cell| cell.stars.len()).sum();
+        assert_eq!(in_cells, field.stars.len());
+        let sorted = |stars: &[PointStar]| {
+            let bits = |star: &PointStar| {
+                (
+                    star.direction.to_array().map(f64::to_bits),
+                    star.light.x.to_bits(),
+                )
+            };
+            let mut all: Vec<_> = stars.iter().map(bits).collect();
+            all.sort_unstable();
+            all
+        };
+        assert_eq!(sorted(cells.stars()), sorted(&field.stars));
         let (mut seen, mut looked_at) = (0, 0);
         for (radius, yaw_deg, pitch_deg, roll_deg, fov_deg, method) in [
             (25.0, 0.0, 0.0, 0.0, 90.0, Method::Lut),
@@ -240,18 +275,19 @@ mod tests {
             let camera = Camera::new(&view).unwrap();
             let scene = Scene::new(camera, default_atlas(), method).unwrap();
             let lens = Lens::of(&scene).unwrap();
-            let candidates = cells.candidates(&camera, &lens, field.disc_radius);
-            let kept: HashSet<(u32, u32)> = candidates.points.iter().map(key).collect();
+            let mut candidates = Candidates::default();
+            cells.find(&camera, &lens, &mut candidates);
+            let kept: HashSet<Candidate> = candidates.points.iter().copied().collect();
             assert_eq!(
                 kept.len(),
                 candidates.points.len(),
                 "an image is there twice"
             );
-            for (star, way) in images_seen(&camera, &lens, &field) {
+            for (star, way) in images_seen(&camera, &lens, &cells) {
                 assert!(
-                    kept.contains(&key(&Candidate { star, way })),
-                    "r {radius}, yaw {yaw_deg}: {:?} by {way:?}",
-                    field.stars[star as usize]
+                    kept.contains(&Candidate::new(star, way)),
+                    "r {radius}, yaw {yaw_deg}: {:?} by way {way}",
+                    cells.stars[star as usize]
                 );
                 seen += 1;
             }
@@ -261,18 +297,13 @@ mod tests {
         assert!(looked_at < 3 * seen, "{looked_at} for {seen}");
     }
 
-    fn key(candidate: &Candidate) -> (u32, u32) {
-        let turn = 2 * candidate.way.windings + u32::from(candidate.way.side < 0.0);
-        (candidate.star, turn)
-    }
-
     /// The images that fall into the picture and are bright enough.
-    fn images_seen(camera: &Camera, lens: &Lens, field: &StarField) -> Vec<(u32, Way)> {
+    fn images_seen(camera: &Camera, lens: &Lens, cells: &Cells) -> Vec<(u32, usize)> {
         let mut seen = Vec::new();
-        for (index, star) in (0..).zip(&field.stars) {
+        for (index, star) in (0..).zip(&cells.stars) {
             let direction = camera.sky_from_hole.transpose() * star.direction;
-            let images = lens.images(direction, field.disc_radius);
-            for (image, way) in images.flatten().zip(Way::all().flatten()) {
+            let images = lens.images(direction, cells.disc_radius);
+            for (way, image) in images.flatten().enumerate() {
                 let Some(image) = image else { continue };
                 let light = star.light.max_element() * image.magnification as f32;
                 if light >= FAINTEST && camera.pixel(image.direction).is_some() {

@@ -21,6 +21,7 @@ mod field;
 mod hipparcos;
 pub mod images;
 pub mod kernel;
+pub mod ways;
 
 pub use catalogue::{Catalogue, DEFAULT_DISC_RADIUS, MAX_DISC_RADIUS, MAX_STARS, Star, direction};
 pub use colour::{light_of_colour_index, temperature};

@@ -1,7 +1,6 @@
 //! What the shaders of the stars read, laid out as `shaders/stars.wgsl` has it. A test holds it to that.
 
 use crate::stars::PointStar;
-use crate::stars::cells::Candidate;
 use crate::stars::draw::Splat;
 use crate::stars::images::{Lens, point_distance};
 use lensbake_tables::Texel;
@@ -9,8 +8,6 @@ use lensbake_tables::inverse::{GpuInverseRow, INVERSE_TEXELS, Inverse};
 
 /// Two texels of an inverse row each: a uniform array is made of vectors of four.
 pub(super) const INVERSE_PAIRS: usize = INVERSE_TEXELS as usize / 2;
-/// Bytes of the struct `Node` of `shaders/star_node.wgsl`.
-pub(super) const NODE: u64 = 8;
 
 /// The struct `Star`.
 #[derive(Debug, Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
@@ -97,12 +94,6 @@ impl From<&Splat> for Piece {
     }
 }
 
-/// The star in the lower 24 bits, the way of its light above.
-pub(super) fn packed(candidate: &Candidate) -> u32 {
-    let way = 2 * candidate.way.windings + u32::from(candidate.way.side < 0.0);
-    candidate.star | way << 24
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::shader;
@@ -148,6 +139,5 @@ mod tests {
             first,
             texels_per_v
         );
-        assert_eq!(u64::from(offsets("Node").1), NODE);
     }
 }

@@ -1,23 +1,33 @@
 //! The lists of stars of one canvas: what is made of them for a frame, and how it comes into the picture.
 
 use super::Stars;
-use super::data::{GpuLens, NODE, Piece, packed};
+use super::data::{GpuLens, Piece};
+use super::nodes;
 use super::shader::WORKGROUP;
 use crate::gpu::bindings::bind_group;
 use crate::gpu::{Frame, Gpu, GpuError, Tile};
 use crate::scene::{Method, Scene};
+use crate::stars::cells::Candidates;
 use crate::stars::draw::arc_splats;
 use crate::stars::images::Lens;
 use lensbake_tables::Row;
 use std::sync::Arc;
 use wgpu::*;
 
-/// Places in the lists of all pixels together, as many as `shaders/star_node.wgsl` can tell apart: 32 MiB.
-const NODES: u64 = (1 << 22) - 1;
 /// Pieces of arcs there is room for: those of some dozen stars on the axis.
 const PIECES: usize = 1 << 17;
 /// Images of stars there is room for; with the pieces, as many as one dispatch may have.
 const CANDIDATES: usize = 4_000_000;
+
+/// Bytes that say where the lists of a picture of `size` pixels begin.
+fn heads_bytes(size: [u32; 2]) -> u64 {
+    4 * (1 + nodes::lists(size))
+}
+
+/// Whether a device has room for the lists of a picture of `size` pixels.
+pub(in crate::gpu) fn fit(device: &Device, size: [u32; 2]) -> bool {
+    heads_bytes(size) <= device.limits().max_storage_buffer_binding_size
+}
 
 /// The lists of stars of one canvas.
 #[derive(Debug)]
@@ -28,12 +38,14 @@ pub(in crate::gpu) struct StarLists {
     lens: Buffer,
     pieces: Buffer,
     candidates: Buffer,
-    /// The number of nodes, and where the list of each pixel begins.
+    /// The number of places asked for, and where each list begins.
     heads: Buffer,
     making: BindGroup,
     reading: BindGroup,
     /// What is on the GPU: the method and the row that the lens was made of.
     shown: Option<(Method, Row, Lens)>,
+    /// What the stars of the last scene were found to be.
+    found: Candidates,
     invocations: u32,
     /// Whether there are more stars than there is room for.
     full: bool,
@@ -57,21 +69,20 @@ impl StarLists {
         let storage = |label, bytes| buffer(label, bytes, BufferUsages::STORAGE);
         let pieces = storage("pieces of arcs", (PIECES * size_of::<Piece>()) as u64);
         let candidates = storage("candidates", 4 * CANDIDATES as u64);
-        let [width, height] = size.map(u64::from);
         let usage = BufferUsages::STORAGE | BufferUsages::COPY_SRC;
-        let heads = buffer("heads", 4 * (1 + width * height), usage);
-        let nodes = storage("nodes", NODES * NODE);
-        let made_of = [
-            &frame,
-            &lens,
-            &stars.buffer,
-            &pieces,
-            &heads,
-            &nodes,
-            &candidates,
+        let heads = buffer("heads", heads_bytes(size), usage);
+        let nodes = nodes::texture(device).create_view(&Default::default());
+        let whole = Buffer::as_entire_binding;
+        let making = [
+            whole(&frame),
+            whole(&lens),
+            whole(&stars.buffer),
+            whole(&pieces),
+            whole(&candidates),
+            whole(&heads),
+            BindingResource::TextureView(&nodes),
         ];
-        let making = made_of.map(Buffer::as_entire_binding);
-        let reading = [&heads, &nodes].map(Buffer::as_entire_binding);
+        let reading = [whole(&heads), BindingResource::TextureView(&nodes)];
         StarLists {
             making: bind_group(device, "stars to lists", &stars.bent.layout, making),
             reading: bind_group(device, "lists of stars", &stars.list_layout, reading),
@@ -83,6 +94,7 @@ impl StarLists {
             candidates,
             heads,
             shown: None,
+            found: Candidates::default(),
             invocations: 0,
             full: false,
         }
@@ -101,12 +113,11 @@ impl StarLists {
         let Some((.., lens)) = &self.shown else {
             return;
         };
-        let field = &self.stars.field;
-        let radius = field.disc_radius;
-        let found = self.stars.cells.candidates(&scene.camera, lens, radius);
-        let points = found.points.iter().take(CANDIDATES).map(packed);
-        let points: Vec<u32> = points.collect();
-        let on_axis = found.arcs.iter().map(|i| &field.stars[*i as usize]);
+        let (cells, found) = (&self.stars.cells, &mut self.found);
+        cells.find(&scene.camera, lens, found);
+        let radius = cells.disc_radius();
+        let points = &found.points[..found.points.len().min(CANDIDATES)];
+        let on_axis = found.arcs.iter().map(|i| &cells.stars()[*i as usize]);
         let splats = arc_splats(&scene.camera, lens, on_axis, radius);
         let pieces: Vec<Piece> = splats.iter().take(PIECES).map(Piece::from).collect();
         self.full = found.points.len() > CANDIDATES || splats.len() > PIECES;
@@ -123,7 +134,7 @@ impl StarLists {
         write(&self.frame, bytemuck::bytes_of(&frame));
         write(&self.lens, bytemuck::bytes_of(&block));
         write(&self.pieces, bytemuck::cast_slice(&pieces));
-        write(&self.candidates, bytemuck::cast_slice(&points));
+        write(&self.candidates, bytemuck::cast_slice(points));
     }
 
     /// Encodes the emptying of the lists, which must come before [`StarLists::make`].
@@ -152,8 +163,8 @@ impl StarLists {
     /// # Errors
     /// [`GpuError::TooManyStars`] if they have not, [`GpuError::Failed`] if the device fails.
     pub(in crate::gpu) fn check(&self, gpu: &Gpu) -> Result<(), GpuError> {
-        let count: Vec<u32> = gpu.copy_back(&self.heads, 4)?;
-        if self.full || u64::from(count[0]) > NODES {
+        let asked: Vec<u32> = gpu.copy_back(&self.heads, 4)?;
+        if self.full || !nodes::suffice(asked[0]) {
             return Err(GpuError::TooManyStars);
         }
         Ok(())

@@ -1,16 +1,20 @@
-//! Stars on a GPU. A first dispatch finds the images of every star and puts the light that falls on each
-//! pixel into the pixel's list; the picture adds up the lists. So the light is summed in f32, which no
+//! Stars on a GPU. A first dispatch finds the images of every star and puts their light into lists, one for
+//! every eight pixels side by side; the picture adds up the lists. So the light is summed in f32, which no
 //! integer atomic and no blending into 16-bit floats would give, on any device that can compute.
 
 mod data;
 mod lists;
+mod nodes;
 mod shader;
 
-pub(super) use lists::StarLists;
+pub(super) use lists::{StarLists, fit};
 pub(super) use shader::keep;
 
 use super::Gpu;
-use super::bindings::{bind_group_layout, storage_buffer_binding, uniform_binding};
+use super::bindings::{
+    bind_group_layout, storage_buffer_binding, storage_texture_binding, uint_texture_binding,
+    uniform_binding,
+};
 use super::step::Step;
 use crate::stars::StarField;
 use crate::stars::cells::Cells;
@@ -21,7 +25,6 @@ use wgpu::*;
 /// Stars on a device, and the pipelines that draw them.
 #[derive(Debug)]
 pub(super) struct Stars {
-    field: StarField,
     cells: Cells,
     buffer: Buffer,
     bent: Step,
@@ -32,11 +35,13 @@ pub(super) struct Stars {
 impl Stars {
     pub(super) fn new(gpu: &Gpu, field: &StarField) -> Self {
         let device = &gpu.device;
-        let stars: Vec<GpuStar> = field.stars.iter().map(GpuStar::from).collect();
+        let cells = Cells::new(field);
+        let stars: Vec<GpuStar> = cells.stars().iter().map(GpuStar::from).collect();
         let lists = |lens| {
             let (read, write) = (storage_buffer_binding(true), storage_buffer_binding(false));
             let uniform = uniform_binding(false);
-            let bindings = [uniform, uniform, read, read, write, write, read];
+            let nodes = storage_texture_binding(nodes::FORMAT);
+            let bindings = [uniform, uniform, read, read, read, write, nodes];
             Step::new(device, "sort_stars", &bindings, &shader::lists(lens))
         };
         Stars {
@@ -51,10 +56,9 @@ impl Stars {
                 device,
                 "lists of stars",
                 ShaderStages::COMPUTE,
-                &[storage_buffer_binding(true), storage_buffer_binding(true)],
+                &[storage_buffer_binding(true), uint_texture_binding()],
             ),
-            cells: Cells::new(field),
-            field: field.clone(),
+            cells,
         }
     }
 }

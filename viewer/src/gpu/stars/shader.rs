@@ -1,6 +1,7 @@
 //! The shader texts of the stars, put together from the parts that differ and the parts that do not.
 
 use super::data::INVERSE_PAIRS;
+use super::nodes;
 use crate::stars::images::FAINTEST;
 use crate::stars::kernel::REACHES;
 use lensbake_tables::inverse::{self, INVERSE_TEXELS};
@@ -14,7 +15,6 @@ pub(super) const BENT: &str = include_str!("../../shaders/lens_bent.wgsl");
 /// The one that does not.
 pub(super) const FLAT: &str = include_str!("../../shaders/lens_flat.wgsl");
 
-const NODE: &str = include_str!("../../shaders/star_node.wgsl");
 const KERNEL: &str = include_str!("../../shaders/kernel.wgsl");
 const FRAME: &str = include_str!("../../shaders/frame.wgsl");
 
@@ -32,7 +32,7 @@ pub(super) fn lists(lens: &str) -> String {
         inverse::WGSL,
         FRAME,
         KERNEL,
-        NODE,
+        &nodes::wgsl(),
         include_str!("../../shaders/stars.wgsl"),
         lens,
     ]
@@ -42,7 +42,13 @@ pub(super) fn lists(lens: &str) -> String {
 /// Keeps what a pixel of a picture sees: the sky, and the stars before it if there are any.
 pub(in crate::gpu) fn keep(stars: bool) -> String {
     let light = if stars {
-        &[NODE, include_str!("../../shaders/star_light.wgsl")].join("\n")
+        &[
+            &reaches(),
+            KERNEL,
+            &nodes::wgsl(),
+            include_str!("../../shaders/star_light.wgsl"),
+        ]
+        .join("\n")
     } else {
         "fn star_light(pixel: vec2<u32>) -> vec3<f32> { return vec3(0.0); }\n"
     };
