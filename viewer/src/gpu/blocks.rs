@@ -11,8 +11,10 @@ use wgpu::*;
 
 /// Side of a block, pixels: a workgroup of the shaders.
 pub const BLOCK: u32 = 8;
-/// Blocks to a row of workgroups, as `shaders/blocks.wgsl` has it; and invocations of a workgroup that sorts.
-const LIST_WIDTH: u32 = 64;
+/// Invocations of a workgroup that sorts, a block each.
+const SORTED: u32 = 64;
+/// Room in a list for blocks of no picture, as `shaders/blocks.wgsl` has it.
+const SPARE: u32 = 64;
 /// Lists of a tile: one for each [`crate::filtered::Need`].
 const LISTS: u32 = 3;
 /// Bytes of a list, as `shaders/sort_blocks.wgsl` has it; a dispatch is at its head.
@@ -116,7 +118,7 @@ impl BlockLists {
         pass.set_bind_group(0, &self.group, &[offset]);
         pass.set_bind_group(1, sky, &[]);
         pass.set_pipeline(&sorter.sort);
-        pass.dispatch_workgroups(list_rows(tile), 1, 1);
+        pass.dispatch_workgroups(blocks_of(&tile).div_ceil(SORTED), 1, 1);
         pass.set_pipeline(&sorter.close);
         pass.dispatch_workgroups(LISTS, 1, 1);
     }
@@ -143,13 +145,12 @@ fn block_count(tiles: &[Tile]) -> u32 {
 
 /// Blocks that the lists of a tile have room for.
 fn room(tile: &Tile) -> u32 {
-    LISTS * list_rows(*tile) * LIST_WIDTH
+    LISTS * (blocks_of(tile) + SPARE)
 }
 
-/// Rows of blocks that a list of all blocks of a tile takes.
-fn list_rows(tile: Tile) -> u32 {
+fn blocks_of(tile: &Tile) -> u32 {
     let [across, down] = tile.count.map(|n| n.div_ceil(BLOCK));
-    (across * down).div_ceil(LIST_WIDTH)
+    across * down
 }
 
 fn tile_bytes() -> u64 {

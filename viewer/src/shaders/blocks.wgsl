@@ -1,10 +1,12 @@
 // The blocks of pixels of a tile, listed by what their pixels take at the most: filtered::Need. Each list has
-// room for all of them, and its last row is filled up with blocks of no picture.
+// room for all of them, and the last row of its workgroups is filled up with blocks of no picture.
 
 // Side of a block, pixels.
 const BLOCK: u32 = 8u;
-// Blocks to a row of workgroups.
-const LIST_WIDTH: u32 = 64u;
+// Workgroups to a row of a dispatch at the most: WebGPU's limit.
+const MOST_ACROSS: u32 = 65535u;
+// Room in a list for blocks of no picture: one less than there are rows.
+const SPARE: u32 = 64u;
 
 const ONE_TAP: u32 = 0u;
 const ONE_RAY: u32 = 1u;
@@ -22,6 +24,5 @@ fn blocks_of_tile() -> vec2<u32> {
 // Where a list of the tile begins.
 fn first_block(list: u32) -> u32 {
     let in_tile = blocks_of_tile();
-    let rows = (in_tile.x * in_tile.y + LIST_WIDTH - 1u) / LIST_WIDTH;
-    return frame.blocks + list * rows * LIST_WIDTH;
+    return frame.blocks + list * (in_tile.x * in_tile.y + SPARE);
 }

@@ -10,9 +10,9 @@ const MOST_TAPS_BESIDE_EDGE: f32 = 8.0;
 
 @group(0) @binding(3) var<storage, read> blocks: array<u32>;
 
-// The pixel of the tile that the invocation `local` of a workgroup draws, in one of the lists.
-fn listed_pixel(list: u32, workgroup: vec3<u32>, local: vec3<u32>) -> vec3<u32> {
-    let block = blocks[first_block(list) + workgroup.y * LIST_WIDTH + workgroup.x];
+// The pixel of the tile that the invocation `local` of a workgroup draws, in a dispatch of one of the lists.
+fn listed_pixel(list: u32, dispatch: vec3<u32>, workgroup: vec3<u32>, local: vec3<u32>) -> vec3<u32> {
+    let block = blocks[first_block(list) + workgroup.y * dispatch.x + workgroup.x];
     return vec3(BLOCK * vec2(block & 0xffffu, block >> 16u) + local.xy, 0u);
 }
 
@@ -58,10 +58,11 @@ fn patch_light(seen: Patch, most_taps: f32) -> vec4<f32> {
 // Magnified sky, or none.
 @compute @workgroup_size(8, 8)
 fn one_tap(
+    @builtin(num_workgroups) dispatch: vec3<u32>,
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(local_invocation_id) local: vec3<u32>,
 ) {
-    let id = listed_pixel(ONE_TAP, workgroup, local);
+    let id = listed_pixel(ONE_TAP, dispatch, workgroup, local);
     if !in_tile(id) {
         return;
     }
@@ -73,10 +74,11 @@ fn one_tap(
 // One ray a pixel, and taps along its footprint.
 @compute @workgroup_size(8, 8)
 fn one_ray(
+    @builtin(num_workgroups) dispatch: vec3<u32>,
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(local_invocation_id) local: vec3<u32>,
 ) {
-    let id = listed_pixel(ONE_RAY, workgroup, local);
+    let id = listed_pixel(ONE_RAY, dispatch, workgroup, local);
     if !in_tile(id) {
         return;
     }
@@ -86,10 +88,11 @@ fn one_ray(
 // Beside the edge: no ray a pixel, one, or one for each of 3 × 3 patches.
 @compute @workgroup_size(8, 8)
 fn many_rays(
+    @builtin(num_workgroups) dispatch: vec3<u32>,
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(local_invocation_id) local: vec3<u32>,
 ) {
-    let id = listed_pixel(MANY_RAYS, workgroup, local);
+    let id = listed_pixel(MANY_RAYS, dispatch, workgroup, local);
     if !in_tile(id) {
         return;
     }

@@ -69,21 +69,23 @@ fn sort_blocks(@builtin(global_invocation_id) id: vec3<u32>) {
     }
 }
 
-// Says how many workgroups each list takes, and fills up its last row: a workgroup a list.
-@compute @workgroup_size(64)
+// Says how many workgroups each list takes, in rows of the same length, and fills up the last: a workgroup a
+// list. Few are left over, for a GPU may deal them out by halves.
+@compute @workgroup_size(SPARE)
 fn close_lists(
     @builtin(workgroup_id) list: vec3<u32>,
     @builtin(local_invocation_id) local: vec3<u32>,
 ) {
     let index = frame.lists + list.x;
     let count = atomicLoad(&lists[index].count);
-    let rows = (count + LIST_WIDTH - 1u) / LIST_WIDTH;
+    let rows = (count + MOST_ACROSS - 1u) / MOST_ACROSS;
+    let across = (count + rows - 1u) / max(rows, 1u);
     let place = count + local.x;
-    if place < rows * LIST_WIDTH {
+    if place < rows * across {
         blocks[first_block(list.x) + place] = 0xffffffffu;
     }
     if local.x == 0u {
-        lists[index].across = LIST_WIDTH;
+        lists[index].across = across;
         lists[index].rows = rows;
         lists[index].deep = 1u;
     }
