@@ -96,3 +96,46 @@ fn steps(windings: u32) -> usize {
         STEPS_OF_FURTHER_TURNS
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::{Camera, View};
+    use crate::scene::{Method, Scene};
+    use lensbake_tables::default_atlas;
+    use proptest::prelude::*;
+
+    fn lens(radius: f64) -> Lens {
+        let view = View {
+            radius,
+            ..View::default()
+        };
+        let camera = Camera::new(&view).unwrap();
+        Lens::of(&Scene::new(camera, default_atlas(), Method::Lut).unwrap()).unwrap()
+    }
+
+    proptest! {
+        #[test]
+        fn what_is_seen_of_a_range_holds_what_is_seen_of_each_of_its_angles(
+            radius in prop_oneof![1.01..2.0, 2.0..40.0, 40.0..1e6],
+            middle in prop_oneof![0.0..PI, 0.0..0.02, PI - 0.02..PI],
+            half in 0.0..0.1f64,
+            part in 0.0..1.0,
+        ) {
+            let lens = lens(radius);
+            let ways = Ways::of(&lens, 1e-8);
+            let (least, most): (f64, f64) = (middle - half, middle + half);
+            let angle: f64 = f64::mul_add(part, most - least, least);
+            let angle = angle.clamp(ways.least, PI - ways.least);
+            for (index, way) in Way::all().flatten().enumerate() {
+                let seen = ways.seen(index, least, most).unwrap();
+                let image = lens.image(way.sky_angle(angle)).unwrap();
+                prop_assert!(seen.nearest <= image.theta && image.theta <= seen.farthest);
+                let about_axis = image.theta.sin() / angle.sin();
+                prop_assert!(about_axis <= seen.about_axis * (1.0 + 1e-9), "{about_axis} {seen:?}");
+                let brightness = about_axis * image.stretch;
+                prop_assert!(brightness <= seen.brightness * (1.0 + 1e-9), "{brightness} {seen:?}");
+            }
+        }
+    }
+}
