@@ -1,48 +1,37 @@
-// How the light of a point falls on pixels, row by row. Twins of stars/kernel.rs, which gives CORE, FIRST_HALO
-// and LAST_HALO: how far the core reaches, pixels, and the radii of the halos.
+// How the light of a point falls on pixels. Twins of stars/kernel.rs, which gives CORE, how far the core
+// reaches, pixels, and HALOS, how many there are. Kernel 0 is the core, k the halo of radius 2ᵏ⁺¹.
 
-// The kernel that reaches as far as `reach`, on a row of pixels: its factor, and what along_row takes.
-struct KernelRow {
-    factor: f32,
-    inverse_sq: f32,
-}
-
-// What along_row takes for the core: less than for any halo.
-const CORE_ROW: f32 = 0.00048828125;
-
-// The quadratic B-spline.
-fn spline(offset: f32) -> f32 {
+// The quadratic B-spline, in either direction.
+fn spline(offset: vec2<f32>) -> vec2<f32> {
     let x = abs(offset);
-    let outer = max(CORE - x, 0.0);
-    return select(0.5 * outer * outer, 0.75 - x * x, x < 0.5);
+    let outer = max(CORE - x, vec2(0.0));
+    return select(0.5 * outer * outer, 0.75 - x * x, x < vec2(0.5));
 }
 
-fn sixth_power(x: f32) -> f32 {
-    let cube = x * x * x;
-    return cube * cube;
+// 1/R² of a halo.
+fn inverse_square(kernel: u32) -> f32 {
+    return bitcast<f32>((125u - 2u * kernel) << 23u);
 }
 
-// The row whose middle is `offset` from the point. A halo's is (1 - s²/R²)⁶ at s² = offset² + x²; with
-// ρ² = R² - offset² that is (ρ²/R²)⁶ (1 - x²/ρ²)⁶, of which 1/ρ² is kept.
-fn kernel_row(offset: f32, reach: f32) -> KernelRow {
-    if reach == CORE {
-        return KernelRow(spline(offset), CORE_ROW);
-    }
-    let inside = max(1.0 - offset * offset / (reach * reach), 0.0);
-    return KernelRow(
-        2.2281692 / (reach * reach) * sixth_power(inside),
-        1.0 / max(reach * reach * inside, 1e-3),
-    );
+fn reach_of(kernel: u32) -> f32 {
+    return select(f32(2u << kernel), CORE, kernel == 0u);
 }
 
-// The share of a row's light that falls on a pixel `offset` from the point along the row.
-fn along_row(offset: f32, inverse_sq: f32) -> f32 {
-    let halo = sixth_power(max(1.0 - offset * offset * inverse_sq, 0.0));
-    return select(halo, spline(offset), inverse_sq == CORE_ROW);
+// The share of a point's light that falls on a pixel whose middle is `offset` from it is the factor times
+// the kernel_share.
+fn kernel_factor(kernel: u32) -> f32 {
+    return select(2.2281692 * inverse_square(kernel), 1.0, kernel == 0u);
+}
+
+fn kernel_share(offset: vec2<f32>, kernel: u32) -> f32 {
+    let core = spline(offset);
+    let inside = max(1.0 - dot(offset, offset) * inverse_square(kernel), 0.0);
+    let cube = inside * inside * inside;
+    return select(cube * cube, core.x * core.y, kernel == 0u);
 }
 
 // The light that the kernel takes before the next does.
-fn capacity(reach: f32) -> f32 {
-    let row = kernel_row(0.0, reach);
-    return select(1.0 / (row.factor * along_row(0.0, row.inverse_sq)), 3e38, reach == LAST_HALO);
+fn capacity(kernel: u32) -> f32 {
+    let middle = kernel_factor(kernel) * kernel_share(vec2(0.0), kernel);
+    return select(1.0 / middle, 3e38, kernel == HALOS);
 }

@@ -1,44 +1,45 @@
-// The places of the lists that stars.wgsl makes, a texel each: the light of an image along a row of pixels, and
-// the next place. A list is of SHARING pixels side by side: they go through it together, and an image takes few
-// places. SHARING, PLACES_A_ROW (texels) and PLACES come from gpu/stars/nodes.rs.
+// The places of the lists that stars.wgsl makes, a texel each: the light of an image on a group of pixels, and
+// the next place. A group is of SHARING_X × SHARING_Y pixels: they go through its list together, and an image
+// takes few places. These, PLACES_A_ROW (texels) and PLACES come from gpu/stars/nodes.rs.
 
 struct Node {
-    // What falls on a pixel is `light` by along_row(distance of the pixel's middle from `at`, inverse_sq).
+    // What falls on a pixel is `light` by kernel_share(the pixel's middle - at, kernel).
     light: vec3<f32>,
-    // In pixels from the picture's left border.
-    at: f32,
-    inverse_sq: f32,
+    // In pixels from the upper left corner of the group.
+    at: vec2<f32>,
+    kernel: u32,
     // 0 for none: the texel of place 0 is dark.
     next: u32,
 }
 
 // Of the least exponent: light of less than 2⁻⁴⁰ is lost, and 2²³ is the most.
 const LEAST: u32 = 40u;
-
-// The bits of 2⁻¹¹ without the last 12.
-const SHORTEST: u32 = 0x3a000u;
+// Where an image is, in 20 bits: steps of 2⁻¹³ pixels from 64 pixels before the group.
+const STEPS: f32 = 8192.0;
+const BEFORE: f32 = 64.0;
 
 fn texel_of(place: u32) -> vec2<u32> {
     return vec2(place % PLACES_A_ROW, place / PLACES_A_ROW);
 }
 
-// Lists to a row of pixels.
-fn lists_a_row() -> u32 {
-    return (frame.size.x + SHARING - 1u) / SHARING;
+// The group of a pixel.
+fn group_of(pixel: vec2<u32>) -> vec2<u32> {
+    return pixel / vec2(SHARING_X, SHARING_Y);
+}
+
+// The pixel in the upper left corner of a group.
+fn first_pixel(group: vec2<u32>) -> vec2<u32> {
+    return group * vec2(SHARING_X, SHARING_Y);
+}
+
+// Where the heads of the lists have that of a group, after the number of places asked for.
+fn head_of(group: vec2<u32>) -> u32 {
+    return 1u + group.y * ((frame.size.x + SHARING_X - 1u) / SHARING_X) + group.x;
 }
 
 // 2 to the power of n - 127, for n from 1 to 254.
 fn power(n: u32) -> f32 {
     return bitcast<f32>(n << 23u);
-}
-
-// A float from 2⁻¹¹ to 2²¹ in 16 bits, to 1 part in 4096; 2⁻¹¹ itself exactly.
-fn shortened(x: f32) -> u32 {
-    return min(((bitcast<u32>(x) + 0x800u) >> 12u) - SHORTEST, 0xffffu);
-}
-
-fn lengthened(bits: u32) -> f32 {
-    return bitcast<f32>((bits + SHORTEST) << 12u);
 }
 
 // Light keeps 1 part in 2¹⁷ of its brightest channel: three mantissas of 16 bits and an exponent of 6.
@@ -48,20 +49,22 @@ fn packed(node: Node) -> vec4<u32> {
     let exponent = clamp((bitcast<u32>(brightest) >> 23u) + LEAST, 126u, 189u) - 126u;
     let scaled = node.light * power(127u + 16u + LEAST - exponent);
     let mantissa = vec3<u32>(min(scaled + 0.5, vec3(65535.0)));
+    let at = vec2<u32>((node.at + BEFORE) * STEPS + 0.5);
     return vec4(
         node.next | (exponent << 26u),
-        bitcast<u32>(node.at),
         mantissa.r | (mantissa.g << 16u),
-        mantissa.b | (shortened(node.inverse_sq) << 16u),
+        mantissa.b | ((at.y >> 12u) << 16u) | (node.kernel << 24u),
+        at.x | (at.y << 20u),
     );
 }
 
 fn unpacked(texel: vec4<u32>) -> Node {
-    let mantissa = vec3(texel.z & 0xffffu, texel.z >> 16u, texel.w & 0xffffu);
+    let mantissa = vec3(texel.y & 0xffffu, texel.y >> 16u, texel.z & 0xffffu);
+    let at = vec2(texel.w & 0xfffffu, (texel.w >> 20u) | ((texel.z & 0xff0000u) >> 4u));
     return Node(
         vec3<f32>(mantissa) * power(127u + (texel.x >> 26u) - LEAST - 16u),
-        bitcast<f32>(texel.y),
-        lengthened(texel.w >> 16u),
+        vec2<f32>(at) * (1.0 / STEPS) - BEFORE,
+        texel.z >> 24u,
         texel.x & 0x3ffffffu,
     );
 }

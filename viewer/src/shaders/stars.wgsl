@@ -20,7 +20,7 @@ struct Star {
 // A piece of an arc: light at a point of the picture.
 struct Piece {
     at: vec2<f32>,
-    reach: f32,
+    kernel: u32,
     light: vec3<f32>,
 }
 
@@ -44,38 +44,39 @@ struct StarImage {
     magnification: f32,
 }
 
-// Puts light at a point into the lists of the pixels that its kernel touches.
-fn insert(at: vec2<f32>, reach: f32, light: vec3<f32>) {
+// Puts light at a point into the lists of the groups of pixels that its kernel touches.
+fn insert(at: vec2<f32>, kernel: u32, light: vec3<f32>) {
+    let reach = reach_of(kernel);
     let low = max(ceil(at - reach - 0.5), vec2(0.0));
     let high = min(floor(at + reach - 0.5), vec2<f32>(frame.size - 1u));
     if any(high < low) {
         return;
     }
-    let first = vec2<u32>(vec2(low.x / f32(SHARING), low.y));
-    let last = vec2<u32>(vec2(high.x / f32(SHARING), high.y));
+    let first = group_of(vec2<u32>(low));
+    let last = group_of(vec2<u32>(high));
     let count = last - first + 1u;
     var place = 1u + atomicAdd(&heads[0], count.x * count.y);
-    var y = first.y;
+    let spread_light = light * kernel_factor(kernel);
+    var group = first;
     // The ends are looked for after each turn: see star_light.wgsl.
     loop {
-        let row = kernel_row(f32(y) + 0.5 - at.y, reach);
-        var x = first.x;
+        group.x = first.x;
         loop {
             if place < PLACES {
-                let next = atomicExchange(&heads[1u + y * lists_a_row() + x], place);
-                let node = Node(light * row.factor, at.x, row.inverse_sq, next);
+                let next = atomicExchange(&heads[head_of(group)], place);
+                let node = Node(spread_light, at - vec2<f32>(first_pixel(group)), kernel, next);
                 textureStore(nodes, texel_of(place), packed(node));
             }
             place++;
-            if x == last.x {
+            if group.x == last.x {
                 break;
             }
-            x++;
+            group.x++;
         }
-        if y == last.y {
+        if group.y == last.y {
             break;
         }
-        y++;
+        group.y++;
     }
 }
 
@@ -83,12 +84,12 @@ fn insert(at: vec2<f32>, reach: f32, light: vec3<f32>) {
 fn spread(at: vec2<f32>, light: vec3<f32>) {
     let brightest = max(light.r, max(light.g, light.b));
     var left = brightest;
-    var reach = CORE;
+    var kernel = 0u;
     while left > 0.0 {
-        let taken = min(left, capacity(reach));
-        insert(at, reach, light * (taken / brightest));
+        let taken = min(left, capacity(kernel));
+        insert(at, kernel, light * (taken / brightest));
         left -= taken;
-        reach = select(2.0 * reach, FIRST_HALO, reach == CORE);
+        kernel++;
     }
 }
 
@@ -130,6 +131,6 @@ fn sort_stars(@builtin(global_invocation_id) id: vec3<u32>) {
         draw(stars[candidate & 0xffffffu], candidate >> 24u);
     } else if id.x - lens.candidates < lens.pieces {
         let piece = pieces[id.x - lens.candidates];
-        insert(piece.at, piece.reach, piece.light);
+        insert(piece.at, piece.kernel, piece.light);
     }
 }

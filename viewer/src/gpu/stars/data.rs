@@ -3,6 +3,7 @@
 use crate::stars::PointStar;
 use crate::stars::draw::Splat;
 use crate::stars::images::{Lens, point_distance};
+use crate::stars::kernel::REACHES;
 use lensbake_tables::Texel;
 use lensbake_tables::inverse::{GpuInverseRow, INVERSE_TEXELS, Inverse};
 
@@ -24,7 +25,7 @@ pub(super) struct GpuStar {
 #[repr(C)]
 pub(super) struct Piece {
     at: [f32; 2],
-    reach: f32,
+    kernel: u32,
     padding: f32,
     light: [f32; 3],
     padding_2: f32,
@@ -86,12 +87,18 @@ impl From<&Splat> for Piece {
     fn from(splat: &Splat) -> Self {
         Piece {
             at: splat.at.as_vec2().to_array(),
-            reach: splat.reach as f32,
+            kernel: kernel_of(splat.reach),
             padding: 0.0,
             light: splat.light.to_array(),
             padding_2: 0.0,
         }
     }
+}
+
+/// Which of the kernels reaches so far.
+fn kernel_of(reach: f64) -> u32 {
+    let found = REACHES.iter().position(|&of| of == reach);
+    found.expect("a kernel's reach") as u32
 }
 
 #[cfg(test)]
@@ -120,7 +127,7 @@ mod tests {
             };
         }
         same_layout!(GpuStar, "Star", direction, light);
-        same_layout!(Piece, "Piece", at, reach, light);
+        same_layout!(Piece, "Piece", at, kernel, light);
         same_layout!(
             GpuLens,
             "Lens",

@@ -1,5 +1,5 @@
 //! Stars on a GPU. A first dispatch finds the images of every star and puts their light into lists, one for
-//! every eight pixels side by side; the picture adds up the lists. So the light is summed in f32, which no
+//! each small group of pixels; the picture adds up the lists. So the light is summed in f32, which no
 //! integer atomic and no blending into 16-bit floats would give, on any device that can compute.
 
 mod data;

@@ -2,8 +2,8 @@
 
 use wgpu::*;
 
-/// Pixels side by side that share a list.
-const SHARING: u32 = 8;
+/// Pixels across and down that share a list.
+pub(super) const SHARING: [u32; 2] = [8, 2];
 /// Texels across and down for the places of all lists, 32 MiB. The first is none.
 const TEXELS: [u32; 2] = [2048, 1024];
 /// Format of a place.
@@ -11,10 +11,10 @@ pub(super) const FORMAT: TextureFormat = TextureFormat::Rgba32Uint;
 
 /// The shader text of a place.
 pub(super) fn wgsl() -> String {
-    let [across, down] = TEXELS;
+    let ([x, y], [across, down]) = (SHARING, TEXELS);
     format!(
-        "const SHARING: u32 = {SHARING}u;\nconst PLACES_A_ROW: u32 = {across}u;\n\
-         const PLACES: u32 = {}u;\n{}",
+        "const SHARING_X: u32 = {x}u;\nconst SHARING_Y: u32 = {y}u;\n\
+         const PLACES_A_ROW: u32 = {across}u;\nconst PLACES: u32 = {}u;\n{}",
         across * down,
         include_str!("../../shaders/star_node.wgsl")
     )
@@ -22,7 +22,8 @@ pub(super) fn wgsl() -> String {
 
 /// The lists of a picture of `size` pixels.
 pub(in crate::gpu) fn lists([width, height]: [u32; 2]) -> u64 {
-    u64::from(width.div_ceil(SHARING)) * u64::from(height)
+    let [x, y] = SHARING;
+    u64::from(width.div_ceil(x)) * u64::from(height.div_ceil(y))
 }
 
 /// Whether there are places for as many as were `asked` for.

@@ -27,7 +27,7 @@ pub(super) fn lists(lens: &str) -> String {
     );
     [
         &constants,
-        &reaches(),
+        &kernels(),
         lookup::ARITHMETIC_WGSL,
         inverse::WGSL,
         FRAME,
@@ -43,7 +43,7 @@ pub(super) fn lists(lens: &str) -> String {
 pub(in crate::gpu) fn keep(stars: bool) -> String {
     let light = if stars {
         &[
-            &reaches(),
+            &kernels(),
             KERNEL,
             &nodes::wgsl(),
             include_str!("../../shaders/star_light.wgsl"),
@@ -55,11 +55,11 @@ pub(in crate::gpu) fn keep(stars: bool) -> String {
     [light, include_str!("../../shaders/keep.wgsl")].join("\n")
 }
 
-fn reaches() -> String {
-    let [core, first_halo, .., last_halo] = REACHES;
+fn kernels() -> String {
+    let [core, halos @ ..] = REACHES;
     format!(
-        "const CORE: f32 = {core:e};\nconst FIRST_HALO: f32 = {first_halo:e};\n\
-         const LAST_HALO: f32 = {last_halo:e};\n"
+        "const CORE: f32 = {core:e};\nconst HALOS: u32 = {}u;\n",
+        halos.len()
     )
 }
 
@@ -67,6 +67,17 @@ fn reaches() -> String {
 mod tests {
     use super::*;
     use crate::gpu::shader::tests::validate;
+
+    #[test]
+    fn the_halos_are_those_of_the_shader_and_a_place_can_tell_how_far_away_an_image_is() {
+        for (kernel, reach) in (1..).zip(&REACHES[1..]) {
+            assert_eq!(*reach, 2f64.powi(kernel + 1));
+        }
+        // The constants of star_node.wgsl: 20 bits of 1/8192 pixel, from 64 pixels before the group.
+        let farthest = REACHES.into_iter().fold(0.0, f64::max) + 1.0;
+        assert!(farthest < 64.0);
+        assert!(f64::from(nodes::SHARING[0].max(nodes::SHARING[1])) + farthest < 128.0 - 64.0);
+    }
 
     #[test]
     fn they_are_valid() {
