@@ -8,6 +8,7 @@ use viewer::camera::View;
 use viewer::gpu::{Gpu, Live, Presenter, Renderer};
 use viewer::scene::Method;
 use viewer::sky;
+use viewer::stars::{StarField, hipparcos};
 use viewer::window::plan::Plan;
 use viewer::window::settings::Settings;
 
@@ -16,12 +17,20 @@ const WINDOW: [u32; 2] = [1920, 1080];
 fn preparation(c: &mut Criterion) {
     let gpu = Gpu::open().unwrap();
     let renderer = Renderer::new(&gpu, &sky::grid(64)).unwrap();
+    let stars = StarField::new(&hipparcos(), 0.0);
+    prepare(c, "prepare a frame with a new radius", renderer.clone());
+    let with_stars = renderer.with_stars(&stars);
+    prepare(c, "the same with 117,955 stars", with_stars);
+}
+
+fn prepare(c: &mut Criterion, name: &str, renderer: Renderer) {
+    let gpu = renderer.gpu().clone();
     let mut settings = Settings::new(View::default(), Method::DEFAULT_STEP);
     let plan = Plan::new(&settings, default_atlas(), WINDOW, 1.0).unwrap();
     let mut live = Live::new(renderer, &plan.scene.row, WINDOW, &[settings.step]);
     let format = wgpu::TextureFormat::Bgra8Unorm;
     let mut presenter = Presenter::new(&gpu, &live, format);
-    c.bench_function("prepare a frame with a new radius", |b| {
+    c.bench_function(name, |b| {
         b.iter_custom(|frames| {
             let mut sum = Duration::ZERO;
             for i in 0..frames {

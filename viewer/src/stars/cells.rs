@@ -215,7 +215,7 @@ impl Frustum {
         let along = 0.5 * (seen.farthest - seen.nearest);
         let middle = 0.5 * (seen.farthest + seen.nearest);
         let about = radius * seen.about_axis.max(1.0);
-        self.may_see(view_direction(azimuth, middle), along.max(about))
+        self.may_see(view_direction(azimuth, middle), along.hypot(about))
     }
 
     /// Whether a circle of `radius` (rad) about a unit `direction` may be in the picture.
