@@ -5,6 +5,7 @@ use super::bindings::{bind_group, block_of};
 use super::blocks::{self, BLOCK, BlockLists};
 use super::renderer::{Program, Renderer};
 use super::stars::StarLists;
+use super::texture::texture;
 use super::{Frame, Gpu, GpuError, Store, Tile};
 use crate::scene::{Sampling, Scene};
 use crate::shadow::Shadow;
@@ -56,20 +57,8 @@ pub struct Canvas {
 impl Canvas {
     /// A canvas for rows of the shape of `row`, written to a texture of `size` pixels.
     pub fn on_texture(renderer: &Renderer, row: &Row, size: [u32; 2]) -> Self {
-        let texture = renderer.gpu.device.create_texture(&TextureDescriptor {
-            label: Some("picture"),
-            size: Extent3d {
-                width: size[0],
-                height: size[1],
-                depth_or_array_layers: 1,
-            },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: TextureDimension::D2,
-            format: TEXTURE_FORMAT,
-            usage: TextureUsages::STORAGE_BINDING | TextureUsages::TEXTURE_BINDING,
-            view_formats: &[],
-        });
+        let usage = TextureUsages::STORAGE_BINDING | TextureUsages::TEXTURE_BINDING;
+        let texture = texture(&renderer.gpu.device, "picture", size, TEXTURE_FORMAT, usage);
         let view = texture.create_view(&Default::default());
         Canvas::new(renderer, row, Target::Texture(view), 1).with_lists(renderer, size)
     }

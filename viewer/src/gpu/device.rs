@@ -27,11 +27,6 @@ pub enum GpuError {
          stars, or use --device cpu"
     )]
     TooManyStars,
-    /// A picture with more pixels than it has lists of stars for.
-    #[error(
-        "the picture is too large for the GPU to draw stars in: use --device cpu, or fewer pixels"
-    )]
-    TooLargeForStars,
     /// There is one, but it cannot draw to the window.
     #[error("the window cannot be drawn to: {0}")]
     NoSurface(String),

@@ -14,6 +14,7 @@ mod stamps;
 mod stars;
 mod step;
 mod stopwatch;
+mod texture;
 mod timer;
 
 pub use canvas::{Canvas, Target};
@@ -25,4 +26,5 @@ pub use present::{Edge, Presenter, Showing};
 pub use renderer::{Program, Renderer, SkyOnDevice, Trace};
 pub use shader::{Output, Store, entry_points, shader_source};
 pub use stopwatch::{Lap, Stopwatch, Timed};
+pub(crate) use texture::texture;
 pub use timer::{FrameTime, Passes, Timer};

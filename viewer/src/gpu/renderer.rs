@@ -6,7 +6,7 @@ use super::bindings::{
 };
 use super::blocks::Sorter;
 use super::canvas::TEXTURE_FORMAT;
-use super::stars::{self, Stars};
+use super::stars::Stars;
 use super::step;
 use super::{
     Gpu, GpuError, Output, Passes, Prepared, Store, Target, Tile, entry_points, shader_source,
@@ -194,10 +194,6 @@ impl Renderer {
     /// # Errors
     /// [`GpuError::Failed`] if the device does, [`GpuError::TooManyStars`] if its lists are too short.
     pub fn picture(&self, scene: &Scene, band_done: impl Fn(u32)) -> Result<Picture, GpuError> {
-        let size = [scene.camera.width, scene.camera.height];
-        if self.stars.is_some() && !stars::fit(&self.gpu.device, size) {
-            return Err(GpuError::TooLargeForStars);
-        }
         let pixels = self.run(scene, Output::Picture, band_done)?;
         let light = pixels.into_iter().map(|[r, g, b, _]| [r, g, b]).collect();
         Ok(Picture::new(scene.camera.width, scene.camera.height, light))

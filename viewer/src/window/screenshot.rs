@@ -1,7 +1,7 @@
 //! The window's picture, without the panel, to a file.
 
 use super::stage::begin;
-use crate::gpu::{Gpu, GpuError, Presenter};
+use crate::gpu::{Gpu, GpuError, Presenter, texture};
 use crate::picture::{PictureError, write_png};
 use std::path::PathBuf;
 use wgpu::*;
@@ -14,20 +14,8 @@ pub(super) fn take(
     format: TextureFormat,
     [width, height]: [u32; 2],
 ) -> Result<Vec<u8>, GpuError> {
-    let texture = gpu.device.create_texture(&TextureDescriptor {
-        label: Some("screenshot"),
-        size: Extent3d {
-            width,
-            height,
-            depth_or_array_layers: 1,
-        },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: TextureDimension::D2,
-        format,
-        usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::COPY_SRC,
-        view_formats: &[],
-    });
+    let usage = TextureUsages::RENDER_ATTACHMENT | TextureUsages::COPY_SRC;
+    let texture = texture(&gpu.device, "screenshot", [width, height], format, usage);
     let stride = (4 * width).next_multiple_of(COPY_BYTES_PER_ROW_ALIGNMENT);
     let buffer = gpu.device.create_buffer(&BufferDescriptor {
         label: Some("screenshot"),

@@ -19,16 +19,6 @@ const PIECES: usize = 1 << 17;
 /// Images of stars there is room for; with the pieces, as many as one dispatch may have.
 const CANDIDATES: usize = 4_000_000;
 
-/// Bytes that say where the lists of a picture of `size` pixels begin.
-fn heads_bytes(size: [u32; 2]) -> u64 {
-    4 * (1 + nodes::lists(size))
-}
-
-/// Whether a device has room for the lists of a picture of `size` pixels.
-pub(in crate::gpu) fn fit(device: &Device, size: [u32; 2]) -> bool {
-    heads_bytes(size) <= device.limits().max_storage_buffer_binding_size
-}
-
 /// The lists of stars of one canvas.
 #[derive(Debug)]
 pub(in crate::gpu) struct StarLists {
@@ -70,8 +60,8 @@ impl StarLists {
         let pieces = storage("pieces of arcs", (PIECES * size_of::<Piece>()) as u64);
         let candidates = storage("candidates", 4 * CANDIDATES as u64);
         let usage = BufferUsages::STORAGE | BufferUsages::COPY_SRC;
-        let heads = buffer("heads", heads_bytes(size), usage);
-        let nodes = nodes::texture(device).create_view(&Default::default());
+        let heads = buffer("heads", nodes::heads_bytes(size), usage);
+        let nodes = nodes::places(device).create_view(&Default::default());
         let whole = Buffer::as_entire_binding;
         let making = [
             whole(&frame),

@@ -7,7 +7,7 @@ mod lists;
 mod nodes;
 mod shader;
 
-pub(super) use lists::{StarLists, fit};
+pub(super) use lists::StarLists;
 pub(super) use shader::keep;
 
 use super::Gpu;

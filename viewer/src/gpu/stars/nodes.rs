@@ -1,5 +1,6 @@
 //! The places of the lists of stars: `shaders/star_node.wgsl`.
 
+use crate::gpu::texture::texture;
 use wgpu::*;
 
 /// Pixels across and down that share a list.
@@ -20,10 +21,10 @@ pub(super) fn wgsl() -> String {
     )
 }
 
-/// The lists of a picture of `size` pixels.
-pub(in crate::gpu) fn lists([width, height]: [u32; 2]) -> u64 {
+/// Bytes that say how many places were asked for and where the lists of a picture of `size` pixels begin.
+pub(super) fn heads_bytes([width, height]: [u32; 2]) -> u64 {
     let [x, y] = SHARING;
-    u64::from(width.div_ceil(x)) * u64::from(height.div_ceil(y))
+    4 * (1 + u64::from(width.div_ceil(x)) * u64::from(height.div_ceil(y)))
 }
 
 /// Whether there are places for as many as were `asked` for.
@@ -33,20 +34,19 @@ pub(super) fn suffice(asked: u32) -> bool {
 }
 
 /// A texture of all places.
-pub(super) fn texture(device: &Device) -> Texture {
-    let [width, height] = TEXELS;
-    device.create_texture(&TextureDescriptor {
-        label: Some("nodes"),
-        size: Extent3d {
-            width,
-            height,
-            depth_or_array_layers: 1,
-        },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: TextureDimension::D2,
-        format: FORMAT,
-        usage: TextureUsages::STORAGE_BINDING | TextureUsages::TEXTURE_BINDING,
-        view_formats: &[],
-    })
+pub(super) fn places(device: &Device) -> Texture {
+    let usage = TextureUsages::STORAGE_BINDING | TextureUsages::TEXTURE_BINDING;
+    texture(device, "nodes", TEXELS, FORMAT, usage)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::MAX_SIDE;
+
+    #[test]
+    fn any_device_has_room_for_the_lists_of_the_largest_picture() {
+        let most = Limits::default().max_storage_buffer_binding_size;
+        assert!(heads_bytes([MAX_SIDE; 2]) <= most);
+    }
 }
