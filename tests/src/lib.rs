@@ -4,15 +4,18 @@ mod damaged;
 #[cfg(target_os = "linux")]
 pub mod desktop;
 pub mod probe;
+#[cfg(unix)]
+pub mod streams;
 
 pub use damaged::{Damaged, damaged_tables};
+pub use lensbake_tables::ATLAS_BINARY as ATLAS;
 
 use bake::baker::{Recipe, bake};
 use lensbake_tables::{Rows, Table};
 use std::ffi::OsStr;
 use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::{Command, Output, Stdio};
 use viewer::gpu::Gpu;
 
 /// One of the project's programs.
@@ -38,12 +41,52 @@ impl Program {
         Program { path }
     }
 
+    /// Where it is.
+    pub fn path(&self) -> &'static str {
+        self.path
+    }
+
+    /// The program, to be started in a way of the test's own.
+    pub fn command(&self) -> Command {
+        Command::new(self.path)
+    }
+
     /// Runs the program with `input` on its standard input.
     ///
     /// # Panics
     /// If it does not start, or dies of a signal.
     pub fn run_with<S: AsRef<OsStr>>(&self, args: &[S], input: &str) -> Run {
-        let mut child = Command::new(self.path)
+        self.run_with_bytes(args, input.as_bytes())
+    }
+
+    /// Runs the program with `input`, text or not, on its standard input.
+    ///
+    /// # Panics
+    /// As [`Program::run_with`], and if its output is no text.
+    pub fn run_with_bytes<S: AsRef<OsStr>>(&self, args: &[S], input: &[u8]) -> Run {
+        let output = self.output(args, input);
+        let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+        Run {
+            code: output.status.code().expect("ended by a signal"),
+            stdout: text(&output.stdout),
+            stderr: without_driver_lines(&text(&output.stderr)),
+        }
+    }
+
+    /// Runs the program, which must succeed, and returns what it wrote, text or not.
+    ///
+    /// # Panics
+    /// If it fails.
+    #[track_caller]
+    pub fn run_bytes<S: AsRef<OsStr>>(&self, args: &[S]) -> Output {
+        let output = self.output(args, b"");
+        assert!(output.status.success(), "{output:?}");
+        output
+    }
+
+    fn output<S: AsRef<OsStr>>(&self, args: &[S], input: &[u8]) -> Output {
+        let mut child = self
+            .command()
             .args(args)
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
@@ -53,20 +96,10 @@ impl Program {
         let mut stdin = child.stdin.take().unwrap();
         let input = input.to_owned();
         // The program may stop reading early, so a broken pipe here is none of our business.
-        let feeder = std::thread::spawn(move || stdin.write_all(input.as_bytes()).is_ok());
+        let feeder = std::thread::spawn(move || stdin.write_all(&input).is_ok());
         let output = child.wait_with_output().unwrap();
         feeder.join().unwrap();
-        let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
-        let from_driver = |line: &&str| !line.contains("XDG_RUNTIME_DIR");
-        Run {
-            code: output.status.code().expect("ended by a signal"),
-            stdout: text(&output.stdout),
-            stderr: text(&output.stderr)
-                .lines()
-                .filter(from_driver)
-                .map(|line| line.to_owned() + "\n")
-                .collect(),
-        }
+        output
     }
 
     /// Runs the program without input.
@@ -76,6 +109,14 @@ impl Program {
     pub fn run<S: AsRef<OsStr>>(&self, args: &[S]) -> Run {
         self.run_with(args, "")
     }
+}
+
+/// `text` without the lines that graphics drivers print.
+fn without_driver_lines(text: &str) -> String {
+    text.lines()
+        .filter(|line| !line.contains("XDG_RUNTIME_DIR"))
+        .map(|line| line.to_owned() + "\n")
+        .collect()
 }
 
 /// The workspace's folder.
@@ -112,9 +153,18 @@ impl Run {
     /// If it did anything else.
     #[track_caller]
     pub fn refuses(self, words: &[&str]) {
+        assert_eq!(self.stderr.lines().count(), 1, "{self:?}");
+        self.refuses_after_messages(words);
+    }
+
+    /// Checks that the program refused as [`Run::refuses`] says, but after it had said what it did.
+    ///
+    /// # Panics
+    /// If it did anything else.
+    #[track_caller]
+    pub fn refuses_after_messages(self, words: &[&str]) {
         assert_eq!(self.code, 2, "{self:?}");
         assert_eq!(self.stdout, "", "{self:?}");
-        assert_eq!(self.stderr.lines().count(), 1, "{self:?}");
         for word in words {
             assert!(
                 self.stderr.contains(word),
