@@ -303,3 +303,54 @@ fn a_million_lines_load() {
     let lit = image::open(&out).unwrap().into_rgb8();
     assert!(lit.pixels().filter(|p| p.0[1] > 0).count() > 5000);
 }
+
+/// The heat map, the pictures and both integrators where a pixel looks straight away from the hole.
+#[test]
+fn a_pixel_straight_away_from_the_hole_is_like_any_other() {
+    let folder = folder();
+    let file = path(&folder, "heat.png");
+    let odd = ["--size", "161x91", "--yaw", "180", "-s", "grid", "-o", &file];
+    VIEWER
+        .run(&[&["diff", "--device", "cpu"], &odd[..]].concat())
+        .succeeds();
+    let exr = path(&folder, "p.exr");
+    let steep = ["--step", "0.5", "--fov", "1", "--size", "400x400"];
+    for device in ["cpu", "auto"] {
+        let args = ["render", "--device", device, "--method", "direct"];
+        let more = ["--yaw", "180", "-s", "grid", "-o", &exr];
+        VIEWER
+            .run(&[&args[..], &steep, &more].concat())
+            .succeeds();
+        let picture = image::open(&exr).unwrap().into_rgb32f();
+        let lost = picture.pixels().filter(|p| !p.0.iter().all(|c| c.is_finite()));
+        assert_eq!(lost.count(), 0, "{device}");
+        let dark = picture.pixels().filter(|p| p.0 == [0.0; 3]);
+        assert_eq!(dark.count(), 0, "{device}");
+    }
+}
+
+/// So narrow a field of view that 32-bit floats can't tell its pixels apart.
+#[test]
+#[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
+fn what_32_bits_cannot_draw_is_drawn_on_the_cpu_or_said() {
+    let folder = folder();
+    let draw = |device: &str, fov: &str| {
+        let file = path(&folder, &format!("{device}-{fov}.png"));
+        let view = ["render", "-s", "starmap", "-r", "10", "--yaw", "14.26902733"];
+        let more = ["--size", "160x90", "--fov", fov, "-d", device, "-o", &file];
+        let run = VIEWER.run(&[&view[..], &more].concat()).succeeds();
+        (run, image::open(file).unwrap().into_rgb8())
+    };
+    let (gpu, _) = draw("gpu", "0.0001");
+    assert!(gpu.stderr.contains("32-bit"), "{gpu:?}");
+    let (auto, by_auto) = draw("auto", "0.0001");
+    assert!(auto.stderr.contains("32-bit"), "{auto:?}");
+    assert!(auto.stderr.contains("drawn on the CPU"), "{auto:?}");
+    assert_eq!(by_auto, draw("cpu", "0.0001").1);
+    // What it can draw goes on without a word.
+    for device in ["gpu", "auto"] {
+        let (run, _) = draw(device, "20");
+        assert!(!run.stderr.contains("32-bit"), "{run:?}");
+        assert!(!run.stderr.contains("drawn on the CPU"), "{run:?}");
+    }
+}
