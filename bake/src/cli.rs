@@ -31,11 +31,11 @@ pub enum Command {
     Convert {
         /// The table to read.
         from: PathBuf,
-        /// The table to write.
+        /// The table to write; - for a .lbt on standard output.
         to: PathBuf,
     },
     /// Read lines `R THETA_DEG` or `inf B` from standard input; print the bending in radians, or
-    /// `captured`, for each.
+    /// `captured`, for each as it comes.
     Query(QueryArgs),
     /// Compare a table with the direct integrator and with the closed form, off its nodes.
     Diff(DiffArgs),
@@ -54,7 +54,8 @@ pub enum Command {
 /// What to bake.
 #[derive(Debug, Args)]
 pub struct BakeArgs {
-    /// File to write, .lbt (binary) or .exr (OpenEXR); may be given more than once.
+    /// File to write, .lbt (binary) or .exr (OpenEXR), or - for a .lbt on standard output; may be given
+    /// more than once.
     #[arg(short, long, value_name = "FILE", default_value = "atlas.lbt")]
     pub output: Vec<PathBuf>,
     /// Bake one row for this static observer instead of the atlas: a radius above 1, or `far`.
@@ -152,10 +153,10 @@ pub struct DiffArgs {
     /// Its field of view across, in degrees, between 0 and 180.
     #[arg(long, value_name = "DEG", default_value_t = 90.0, value_parser = field_of_view)]
     pub fov: f64,
-    /// Write every ray to this CSV file.
+    /// Write every ray to this CSV file; - is standard output, and the report goes to standard error.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
-    /// Draw the error along the row to this SVG file.
+    /// Draw the error along the row to this SVG file, or - as for --csv.
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
 }

@@ -6,7 +6,6 @@ use lensbake_core::rk4::Stepper;
 use lensbake_core::{BendAndSlope, Fate, direct, exact};
 use lensbake_tables::statistics::ErrorStatistics;
 use lensbake_tables::{Table, TableError};
-use std::io::{self, Write};
 
 /// The picture in whose pixels errors are stated.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -114,22 +113,17 @@ impl Diff {
         })
     }
 
-    /// Writes one line a ray: where, the three bendings, and the lookup's error in both units.
-    ///
-    /// # Errors
-    /// What the writer says.
-    pub fn write_csv(&self, picture: &Picture, out: &mut impl Write) -> io::Result<()> {
-        writeln!(
-            out,
-            "r,theta_rad,x,one_minus_x,lookup_rad,direct_rad,closed_rad,error_rad,error_px"
-        )?;
+    /// One line a ray: where, the three bendings, and the lookup's error in both units.
+    pub fn csv(&self, picture: &Picture) -> String {
+        let head =
+            "r,theta_rad,x,one_minus_x,lookup_rad,direct_rad,closed_rad,error_rad,error_px\n";
+        let mut text = head.to_owned();
         for ray in &self.rays {
             let Sight { observer, at } = ray.sight;
             let error = ray.lookup - ray.closed;
             let pixels = ray.in_pixels(error, picture);
-            writeln!(
-                out,
-                "{},{},{},{:e},{},{},{},{:e},{}",
+            text += &format!(
+                "{},{},{},{:e},{},{},{},{:e},{}\n",
                 observer.radius(),
                 observer.view_angle(at.x),
                 at.x,
@@ -139,8 +133,8 @@ impl Diff {
                 ray.closed,
                 error,
                 pixels.map_or(String::new(), |p| format!("{p:e}")),
-            )?;
+            );
         }
-        Ok(())
+        text
     }
 }

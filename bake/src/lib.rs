@@ -6,5 +6,6 @@ pub mod diff;
 pub mod measure;
 pub mod methods;
 pub mod plot;
+pub mod query;
 pub mod rays;
 pub mod stability;

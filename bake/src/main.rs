@@ -23,9 +23,5 @@ fn main() -> ExitCode {
         Some(Command::Chart(args)) => commands::chart::run(&args),
         Some(Command::Stability(args)) => commands::stability::run(&args),
     };
-    match outcome {
-        // The reader of our output has gone, as `head` does: no error of the user's.
-        Err(error) if error.is_broken_pipe() => ExitCode::SUCCESS,
-        outcome => Outcome::end(PROGRAM, outcome),
-    }
+    Outcome::end(PROGRAM, outcome)
 }

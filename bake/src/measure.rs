@@ -6,14 +6,15 @@ use lensbake_tables::statistics::ErrorStatistics;
 use lensbake_tables::{Header, Measured, Row, Table, TableError};
 use rayon::prelude::*;
 
-/// Measures `table` and states the error in its header: infinite if any ray meets another fate.
+/// Measures `table` and states the error in its header: infinite if any ray meets another fate, or if no
+/// ray was measured.
 ///
 /// # Errors
 /// [`TableError`] if the table has no row for its own observers, which no valid table lacks.
 pub fn measured(table: Table) -> Result<Table, TableError> {
     let sights = off_nodes(table.header());
     let errors = lookup_errors(&table, &sights)?;
-    let max_error = ErrorStatistics::of(errors).map_or(0.0, |errors| errors.max);
+    let max_error = ErrorStatistics::of(errors).map_or(f64::INFINITY, |errors| errors.max);
     let radii = sights.iter().map(|s| s.observer.radius());
     let gaps = sights.iter().map(|s| s.at.one_minus_x);
     let header = Header {

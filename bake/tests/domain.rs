@@ -85,7 +85,14 @@ fn a_table_is_not_asked_beyond_its_axis() {
 fn a_budget_over_no_rays_is_missed() {
     let folder = tempfile::tempdir().unwrap();
     let file = path(&folder, "never.lbt");
-    let narrow = ["--axis", "b", "--b-min", "2.59807621136", "--b-max", "2.5980762114"];
+    let narrow = [
+        "--axis",
+        "b",
+        "--b-min",
+        "2.59807621136",
+        "--b-max",
+        "2.5980762114",
+    ];
     let bake = |more: &[&str]| BAKE.run(&[&narrow[..], &["-o", &file], more].concat());
     let run = bake(&["--budget", "1e-30"]);
     assert_eq!(run.code, 1, "{run:?}");

@@ -41,6 +41,9 @@ pub fn bend_and_slope(
     at: EdgeCoordinate,
     stepper: Stepper,
 ) -> Fate<BendAndSlope> {
+    if let Some(bending) = observer.bend_straight_away(at) {
+        return Fate::Escapes(bending);
+    }
     let ray = observer.ray_at(at);
     if ray.path() == Path::Radial {
         return Fate::Escapes(BendAndSlope {

@@ -1,3 +1,4 @@
+use crate::MAX_DISTANCE;
 use thiserror::Error;
 
 /// Input for which there is no ray.
@@ -6,6 +7,17 @@ pub enum CoreError {
     /// The observer's radius is not above the horizon.
     #[error("radius {0} is not above the horizon: r must be greater than 1 (in units of r_s)")]
     Radius(f64),
+    /// The radius or the impact parameter is finite, but too large to compute with.
+    #[error(
+        "{what} {found:e} is beyond {MAX_DISTANCE:e}, the largest that is computed with; an observer \
+         at infinity is `inf`"
+    )]
+    TooFar {
+        /// Which of the two.
+        what: &'static str,
+        /// What was given.
+        found: f64,
+    },
     /// The view angle is outside [0, π].
     #[error("view angle {0} rad is outside 0 to π")]
     ViewAngle(f64),

@@ -37,6 +37,10 @@ pub use ray::{Path, Ray};
 /// Critical impact parameter b_c = 3√3/2, in units of r_s: from infinity, smaller b is captured.
 pub const B_CRIT: f64 = 2.598_076_211_353_316;
 
+/// The largest finite radius and impact parameter that is computed with, in units of r_s: beyond it the
+/// squares of 1/r and 1/b lose their digits.
+pub const MAX_DISTANCE: f64 = 1e150;
+
 /// Radius of the photon sphere, 3/2 in units of r_s.
 pub const R_PHOTON: f64 = 1.5;
 

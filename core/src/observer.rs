@@ -14,7 +14,7 @@
 //!
 //! which holds from r = ∞ (C = 1) to the horizon (C = −1) without a singular term.
 
-use crate::{B_CRIT, CoreError, Ray, U_PHOTON};
+use crate::{B_CRIT, BendAndSlope, CoreError, MAX_DISTANCE, Ray, U_PHOTON};
 
 /// b_c less [`B_CRIT`], the nearest f64: what the last b beside the edge are told apart by.
 const B_CRIT_REST: f64 = -7.151_834_159_792_777e-17;
@@ -66,13 +66,19 @@ impl Observer {
     /// The observer at radius `r`; `r = ∞` is the observer at infinity.
     ///
     /// # Errors
-    /// [`CoreError::Radius`] unless r > 1.
+    /// [`CoreError::Radius`] unless r > 1, [`CoreError::TooFar`] for a finite r above [`MAX_DISTANCE`].
     pub fn at(r: f64) -> Result<Self, CoreError> {
         if r.is_nan() || r <= 1.0 {
             return Err(CoreError::Radius(r));
         }
         if r.is_infinite() {
             return Ok(Self::far());
+        }
+        if r > MAX_DISTANCE {
+            return Err(CoreError::TooFar {
+                what: "radius",
+                found: r,
+            });
         }
         Ok(Self::build(
             1.0 / r,
@@ -168,6 +174,8 @@ impl Observer {
 
     /// The edge coordinate of the view angle `theta` in [0, π] (rad); x = ∞ at θ = 0.
     pub fn edge_coordinate(&self, theta: f64) -> EdgeCoordinate {
+        // −0, which is in [0, π], would change the sign of x.
+        let theta = theta + 0.0;
         let (half_sin, half_cos) = (0.5 * theta).sin_cos();
         let offset = (0.5 * (theta - self.edge_angle())).sin();
         let half_cos_edge = 1.0 / self.tan_half_edge.hypot(1.0);
@@ -194,6 +202,19 @@ impl Observer {
         } else {
             2.0 * B_CRIT * self.u.powi(2) / (self.one_minus_cos_edge * (1.0 + self.lapse))
         }
+    }
+
+    /// The bending and dΔ/dx where `at` is straight away from the hole, to 1e-13 of themselves: Δ is there
+    /// proportional to x, where integrals and tables are differences of larger numbers. `None` elsewhere,
+    /// and at infinity, whose observer has no such direction.
+    pub fn bend_straight_away(&self, at: EdgeCoordinate) -> Option<BendAndSlope> {
+        // A small part of the window to the sky, and a small angle: tan((π − θ)/2) = x / tan(θ_c/2).
+        const NEAR: f64 = 1e-7;
+        let slope = self.bend_slope_away();
+        (at.x <= NEAR * self.tan_half_edge.min(1.0) && !self.is_far()).then_some(BendAndSlope {
+            bend: slope * at.x,
+            slope,
+        })
     }
 
     /// The ray in the direction `theta` from the hole, in [0, π] (rad).
@@ -275,6 +296,18 @@ mod tests {
             assert!(matches!(Observer::at(r), Err(CoreError::Radius(_))), "{r}");
         }
         assert!(Observer::at(f64::INFINITY).unwrap().is_far());
+    }
+
+    #[test]
+    fn distances_too_large_to_compute_with_are_refused() {
+        assert!(Observer::at(MAX_DISTANCE).is_ok());
+        for r in [MAX_DISTANCE.next_up(), 1e162, f64::MAX] {
+            assert!(matches!(Observer::at(r), Err(CoreError::TooFar { .. })));
+            assert!(matches!(
+                Ray::from_infinity(r),
+                Err(CoreError::TooFar { .. })
+            ));
+        }
     }
 
     #[test]

@@ -9,7 +9,7 @@
 //!
 //! κ > 0 turns round at a periapsis, κ < 0 passes over the photon sphere, κ = 0 is critical.
 
-use crate::{CoreError, EdgeCoordinate, Observer};
+use crate::{CoreError, EdgeCoordinate, MAX_DISTANCE, Observer};
 
 /// A light ray followed backwards from its observer, given at its launch.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,10 +51,17 @@ impl Ray {
     /// The ray that comes from infinity with impact parameter `b` (units of r_s).
     ///
     /// # Errors
-    /// [`CoreError::ImpactParameter`] unless b is positive and finite.
+    /// [`CoreError::ImpactParameter`] unless b is positive and finite, [`CoreError::TooFar`] above
+    /// [`MAX_DISTANCE`].
     pub fn from_infinity(b: f64) -> Result<Self, CoreError> {
         if !(b > 0.0 && b.is_finite()) {
             return Err(CoreError::ImpactParameter(b));
+        }
+        if b > MAX_DISTANCE {
+            return Err(CoreError::TooFar {
+                what: "impact parameter",
+                found: b,
+            });
         }
         Ok(Observer::far().ray_at(EdgeCoordinate::from_b(b)))
     }

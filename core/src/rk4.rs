@@ -73,6 +73,14 @@ pub fn march<const N: usize>(
         });
     }
     for _ in 0..STEP_LIMIT {
+        // A step that would go far beyond the event is not tried: the equation may be unbounded there.
+        let h_to_event = side(&y) / f(&y)[event.index];
+        if (0.0..0.5 * h).contains(&h_to_event) && matches!(stepper, Stepper::Fixed(_)) {
+            return Some(Arrival {
+                state: land(f, &y, event),
+                evaluations: evaluations + 5,
+            });
+        }
         let trial = match stepper {
             Stepper::Fixed(_) => Trial::accepted(step(f, &y, h), h, 4),
             Stepper::Adaptive(tolerance) => doubled_step(f, &y, h, tolerance),

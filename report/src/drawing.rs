@@ -12,6 +12,24 @@ pub use crate::font::register as register_font;
 /// An area to draw on.
 pub type Area<DB> = DrawingArea<DB, Shift>;
 
+/// A figure that cannot be drawn.
+#[derive(Debug, thiserror::Error)]
+#[error("a figure cannot be drawn: {0}")]
+pub struct DrawError(String);
+
+impl DrawError {
+    /// With what a library says.
+    pub fn new(problem: impl ToString) -> Self {
+        DrawError(problem.to_string())
+    }
+}
+
+impl From<Box<dyn Error>> for DrawError {
+    fn from(problem: Box<dyn Error>) -> Self {
+        DrawError::new(problem)
+    }
+}
+
 /// Something that can be drawn with any backend.
 pub trait Figure {
     /// Width and height, pixels.
@@ -29,14 +47,14 @@ pub trait Figure {
 /// The figure as an SVG document.
 ///
 /// # Errors
-/// What the drawing library says.
-pub fn svg(figure: &impl Figure) -> Result<String, Box<dyn Error>> {
+/// [`DrawError`] with what the drawing library says.
+pub fn svg(figure: &impl Figure) -> Result<String, DrawError> {
     font::register();
     let mut text = String::new();
     {
         let area = SVGBackend::with_string(&mut text, figure.size()).into_drawing_area();
         figure.draw(&area)?;
-        area.present()?;
+        area.present().map_err(DrawError::new)?;
     }
     Ok(text)
 }
@@ -44,24 +62,21 @@ pub fn svg(figure: &impl Figure) -> Result<String, Box<dyn Error>> {
 /// The figure as a PNG file.
 ///
 /// # Errors
-/// What the drawing or the image library says.
-pub fn png(figure: &impl Figure) -> Result<Vec<u8>, Box<dyn Error>> {
+/// [`DrawError`] with what the drawing or the image library says.
+pub fn png(figure: &impl Figure) -> Result<Vec<u8>, DrawError> {
     font::register();
     let (width, height) = figure.size();
     let mut pixels = vec![0; 3 * width as usize * height as usize];
     {
         let area = BitMapBackend::with_buffer(&mut pixels, (width, height)).into_drawing_area();
         figure.draw(&area)?;
-        area.present()?;
+        area.present().map_err(DrawError::new)?;
     }
     let mut file = Vec::new();
     let best = CompressionType::Best;
-    PngEncoder::new_with_quality(&mut file, best, FilterType::NoFilter).write_image(
-        &pixels,
-        width,
-        height,
-        ExtendedColorType::Rgb8,
-    )?;
+    PngEncoder::new_with_quality(&mut file, best, FilterType::NoFilter)
+        .write_image(&pixels, width, height, ExtendedColorType::Rgb8)
+        .map_err(DrawError::new)?;
     Ok(file)
 }
 

@@ -20,7 +20,7 @@ impl Outcome {
             Ok(Outcome::Done) => ExitCode::SUCCESS,
             Ok(Outcome::Missed) => ExitCode::from(1),
             Err(error) => {
-                eprintln!("{program}: {error}");
+                crate::message!("{program}: {error}");
                 ExitCode::from(2)
             }
         }

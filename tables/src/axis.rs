@@ -13,6 +13,7 @@
 //! Against s = √(1−x) with the leading logarithm alone, both changes together take the error of 64
 //! texels for r = ∞ from 7e-6 to 2e-8 rad (`docs/chart.md`).
 
+use crate::TableError;
 use lensbake_core::{B_CRIT, BendAndSlope, EdgeCoordinate, Observer};
 use serde::{Deserialize, Serialize};
 
@@ -72,6 +73,25 @@ impl Axis {
             Axis::UniformB { b_min, b_max }
             | Axis::UniformInverseB { b_min, b_max }
             | Axis::UniformLogB { b_min, b_max } => Some((b_min, b_max)),
+        }
+    }
+
+    /// Checks that the axis reaches the ray at `at`, as it does every captured ray.
+    ///
+    /// # Errors
+    /// [`TableError::OutsideAxis`] if its impact parameter is outside the range of an axis in b, by more
+    /// than the rounding of b.
+    pub fn check_reach(&self, at: EdgeCoordinate) -> Result<(), TableError> {
+        const ROUNDING: f64 = 1e-12;
+        let Some((b_min, b_max)) = self.b_range() else {
+            return Ok(());
+        };
+        let b = B_CRIT / at.x;
+        let reach = b_min * (1.0 - ROUNDING)..=b_max * (1.0 + ROUNDING);
+        if at.one_minus_x <= 0.0 || reach.contains(&b) {
+            Ok(())
+        } else {
+            Err(TableError::OutsideAxis { b, b_min, b_max })
         }
     }
 

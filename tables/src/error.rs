@@ -1,4 +1,5 @@
-use std::path::PathBuf;
+use crate::output::OutputProblem;
+use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 /// A table that cannot be, or cannot answer.
@@ -42,6 +43,19 @@ pub enum TableError {
         /// What it should be.
         expected: &'static str,
     },
+    /// The table's axis does not reach so far.
+    #[error(
+        "the table holds impact parameters from {b_min} to {b_max} only, not {b}; use a table on the \
+         residual axis, or bake one with another --b-min and --b-max"
+    )]
+    OutsideAxis {
+        /// What was asked for.
+        b: f64,
+        /// The least that the table holds.
+        b_min: f64,
+        /// The greatest.
+        b_max: f64,
+    },
     /// The table holds one observer only, and it is another.
     #[error(
         "the table holds the row of the observer at r = {holds} only, not at r = {asked}; use the \
@@ -65,6 +79,16 @@ pub struct ContainerError {
     pub problem: Problem,
 }
 
+impl ContainerError {
+    /// What is wrong with the table file at `path`.
+    pub fn new(path: &Path, problem: Problem) -> Self {
+        ContainerError {
+            path: path.to_owned(),
+            problem,
+        }
+    }
+}
+
 /// What is wrong with a table file.
 #[derive(Debug, Error)]
 pub enum Problem {
@@ -85,11 +109,12 @@ pub enum Problem {
         /// By the file system.
         found: u64,
     },
+    /// It cannot be written.
+    #[error(transparent)]
+    Output(#[from] OutputProblem),
     /// Larger than any table.
-    #[error("is {found} bytes long; no bending table is larger than {max}")]
+    #[error("is longer than {max} bytes; no bending table is larger")]
     TooLarge {
-        /// By the file system.
-        found: u64,
         /// The most allowed.
         max: u64,
     },

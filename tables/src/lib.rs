@@ -27,6 +27,7 @@ mod header;
 mod interpolation;
 pub mod inverse;
 pub mod lookup;
+pub mod output;
 mod row;
 pub mod statistics;
 mod table;

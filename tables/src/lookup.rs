@@ -33,7 +33,12 @@ pub struct Edge {
     pub tan_half: f32,
     /// (5/18) cos θ_c, the weight of (1−x) ln(1−x) beside ln(1−x).
     pub log_weight: f32,
+    /// dΔ/dx at x = 0, straight away from the hole.
+    pub away_slope: f32,
 }
+
+/// sin θ and x below which a ray looks straight away from the hole: Δ is `away_slope`·x, to 1e-6 of itself.
+pub const STRAIGHT_AWAY: f32 = 1e-3;
 
 impl Edge {
     /// The edge that `observer` sees.
@@ -41,6 +46,7 @@ impl Edge {
         Edge {
             tan_half: observer.tan_half_edge() as f32,
             log_weight: log_weight(observer) as f32,
+            away_slope: observer.bend_slope_away() as f32,
         }
     }
 }
@@ -112,6 +118,12 @@ impl GpuRow {
         let x = edge_coordinate(c, p, self.edge);
         if x >= 1.0 {
             return Fate::Captured;
+        }
+        if c < 0.0 && p.max(x) < STRAIGHT_AWAY {
+            return Fate::Escapes(Bending {
+                bend: self.edge.away_slope * x,
+                slope: -self.edge.away_slope * self.edge.tan_half / (1.0 - c),
+            });
         }
         let last = (self.texels.len() - 1) as f32;
         let d = 1.0 - x;

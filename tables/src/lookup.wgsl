@@ -9,7 +9,12 @@ struct Edge {
     tan_half: f32,
     // (5/18) cos θ_c, the weight of (1−x) ln(1−x) beside ln(1−x).
     log_weight: f32,
+    // dΔ/dx at x = 0, straight away from the hole.
+    away_slope: f32,
 }
+
+// sin θ and x below which a ray looks straight away from the hole: Δ is away_slope·x, to 1e-6 of itself.
+const STRAIGHT_AWAY: f32 = 1e-3;
 
 struct Bending {
     captured: bool,
@@ -46,6 +51,12 @@ fn bending(c: f32, p: f32, edge: Edge) -> Bending {
     let x = edge_coordinate(c, p, edge);
     if x >= 1.0 {
         return Bending(true, 0.0, 0.0);
+    }
+    // There the terms of the residual cancel, and the size of a footprint is a quotient of what is left.
+    if c < 0.0 && max(p, x) < STRAIGHT_AWAY {
+        // dx/dθ = −x/sin θ, with x/sin θ = tan(θ_c/2)/(1 − cos θ).
+        let slope = -edge.away_slope * edge.tan_half / (1.0 - c);
+        return Bending(false, edge.away_slope * x, slope);
     }
     let d = 1.0 - x;
     let root = sqrt(x);

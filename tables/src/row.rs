@@ -91,6 +91,9 @@ impl Row {
         if at.one_minus_x <= 0.0 {
             return Fate::Captured;
         }
+        if let (Axis::Residual, Some(bending)) = (self.axis, self.observer.bend_straight_away(at)) {
+            return Fate::Escapes(bending);
+        }
         let stored = self.stored(self.axis.position(at));
         Fate::Escapes(self.axis.bending(&self.observer, at, stored))
     }

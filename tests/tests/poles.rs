@@ -98,16 +98,17 @@ fn check_smooth(scene: &Scene, picture: &Picture) {
     for pixel in picture.pixels() {
         assert!(pixel.iter().all(|c| c.is_finite()), "{}", at(scene));
     }
+    // Of a window of some pixels the middle sees more than what is straight away.
+    let window = std::f64::consts::PI - scene.camera.observer.edge_angle();
+    if window < 20.0 * scene.camera.right.length() {
+        return;
+    }
     if let Some((middle, about)) = middle_and_neighbours(picture) {
-        // Within a thousandth of what is straight away: there the sky changes by 0.4 a radian.
         let off = (middle - about).abs().max_element();
         assert!(off < 4e-3, "{}: {middle} among {about}", at(scene));
-        let window = scene.camera.observer.edge_angle();
-        if window < 3.0 {
-            let away = Vec3::new(0.5, 0.5, 0.9);
-            let off = (middle - away).abs().max_element();
-            assert!(off < 5e-3, "{}: {middle} for {away}", at(scene));
-        }
+        let away = Vec3::new(0.5, 0.5, 0.9);
+        let off = (middle - away).abs().max_element();
+        assert!(off < 5e-3, "{}: {middle} for {away}", at(scene));
     }
 }
 
@@ -156,8 +157,5 @@ fn a_picture_holds_no_nan() {
     assert_eq!((lost.count, lost.first), (2, (1, 0)));
     assert_eq!(picture.pixels()[0], [0.1, 0.2, 0.3]);
     assert_eq!(picture.pixels()[1..], [[0.0; 3]; 2]);
-    assert_eq!(
-        Picture::new(1, 1, vec![[1.0; 3]]).without_value(),
-        None
-    );
+    assert_eq!(Picture::new(1, 1, vec![[1.0; 3]]).without_value(), None);
 }

@@ -29,7 +29,7 @@ const PROBE: &str = "
 fn probe(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= arrayLength(&inputs) { return; }
     let in = inputs[id.x];
-    let edge = Edge(EDGE_TAN_HALF, EDGE_LOG_WEIGHT);
+    let edge = Edge(EDGE_TAN_HALF, EDGE_LOG_WEIGHT, EDGE_AWAY_SLOPE);
     let bent = bending(in.x, in.y, edge);
     let trig = cos_sin(in.z);
     let sky = turned(in.x, in.y, bent.bend);
@@ -40,8 +40,9 @@ fn probe(@builtin(global_invocation_id) id: vec3<u32>) {
 fn probe(gpu: &Gpu, row: &GpuRow, inputs: &[[f32; 4]]) -> Vec<Probe> {
     let (edge, texels) = (row.edge, row.texels.as_slice());
     let constants = format!(
-        "const EDGE_TAN_HALF: f32 = {:e};\nconst EDGE_LOG_WEIGHT: f32 = {:e};\n",
-        edge.tan_half, edge.log_weight
+        "const EDGE_TAN_HALF: f32 = {:e};\nconst EDGE_LOG_WEIGHT: f32 = {:e};\n\
+         const EDGE_AWAY_SLOPE: f32 = {:e};\n",
+        edge.tan_half, edge.log_weight, edge.away_slope
     );
     let source = [
         &wgsl_row(texels.len() as u32, row.interpolation, 0, 1),

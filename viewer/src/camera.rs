@@ -209,7 +209,7 @@ impl Camera {
             return self.right.length();
         }
         // The unit vector along which θ grows: away from the hole.
-        let away = (direction * sight.cos + DVec3::Z) / sight.sin;
+        let away = (direction.truncate() * (sight.cos / sight.sin)).extend(sight.sin);
         (self.right.dot(away) / ray.length()).hypot(self.down.dot(away) / ray.length())
     }
 }

@@ -44,6 +44,8 @@ pub enum PixelError {
         /// That angle in image space, pixels: ÷ dθ′/d pixel.
         pixels: f64,
     },
+    /// One of them has found no direction: its numbers are not finite.
+    NoValue,
     /// One sees the sky and the other the horizon.
     OtherFate {
         /// The pixel's distance from the shadow's edge, pixels.
@@ -52,19 +54,21 @@ pub enum PixelError {
 }
 
 impl PixelError {
-    /// The error on the sky, rad; `None` where the fates differ.
+    /// The error on the sky, rad; `None` where the fates differ, infinite without a value.
     pub fn radians(&self) -> Option<f64> {
         match *self {
             PixelError::BothCaptured => Some(0.0),
+            PixelError::NoValue => Some(f64::INFINITY),
             PixelError::BothEscape { radians, .. } => Some(radians),
             PixelError::OtherFate { .. } => None,
         }
     }
 
-    /// The error in image space, pixels.
+    /// The error in image space, pixels; infinite without a value.
     pub fn pixels(&self) -> f64 {
         match *self {
             PixelError::BothCaptured => 0.0,
+            PixelError::NoValue => f64::INFINITY,
             PixelError::BothEscape { pixels, .. } | PixelError::OtherFate { pixels } => pixels,
         }
     }
@@ -142,6 +146,9 @@ impl ReferencePixel {
         match (a, b) {
             (Fate::Escapes(a), Fate::Escapes(b)) => {
                 let radians = a.cross(*b).length().atan2(a.dot(*b));
+                if !radians.is_finite() {
+                    return PixelError::NoValue;
+                }
                 let stretch = self
                     .light
                     .escaped()
@@ -168,6 +175,8 @@ pub struct TraceStatistics {
     pub pixels: ErrorStatistics,
     /// Pixels whose fates differ.
     pub other_fates: usize,
+    /// Pixels without a value.
+    pub no_value: usize,
 }
 
 impl TraceStatistics {
@@ -175,6 +184,7 @@ impl TraceStatistics {
     pub fn of(errors: &[PixelError]) -> Option<Self> {
         let radians = errors.iter().filter_map(|e| match e {
             PixelError::BothEscape { radians, .. } => Some(*radians),
+            PixelError::NoValue => Some(f64::INFINITY),
             PixelError::BothCaptured | PixelError::OtherFate { .. } => None,
         });
         let seen = errors.iter().filter(|e| **e != PixelError::BothCaptured);
@@ -183,6 +193,7 @@ impl TraceStatistics {
             radians: ErrorStatistics::of(radians)?,
             pixels: ErrorStatistics::of(seen.map(PixelError::pixels))?,
             other_fates: errors.iter().filter(other_fate).count(),
+            no_value: errors.iter().filter(|e| **e == PixelError::NoValue).count(),
         })
     }
 }

@@ -1,10 +1,9 @@
 //! The picture of an error: image-space pixels in colour, by decades, with its key.
 
 use crate::diff::PixelError;
-use crate::picture::{PictureError, write_png};
-use lensbake_report::drawing::{self, text};
+use crate::picture::encode_png;
+use lensbake_report::drawing::{self, DrawError, text};
 use plotters::prelude::*;
-use std::path::Path;
 
 /// Decades of the error that the colours span, as powers of ten of a pixel.
 const DECADES: std::ops::Range<i32> = -6..0;
@@ -15,17 +14,13 @@ const MARGIN: i32 = 28;
 
 const BOTH_CAPTURED: [u8; 3] = [0, 0, 0];
 const OTHER_FATE: [u8; 3] = [255, 0, 255];
+const NO_VALUE: [u8; 3] = [255, 255, 255];
 
-/// Writes the heat map of `errors`, row-major `[height][width]`, to a PNG file, whole or not at all.
+/// The heat map of `errors`, row-major `[height][width]`, as a PNG file with the title `what`.
 ///
 /// # Errors
-/// [`PictureError`] names the file and what is wrong.
-pub fn write(
-    path: &Path,
-    width: u32,
-    errors: &[PixelError],
-    what: &str,
-) -> Result<(), PictureError> {
+/// [`DrawError`] if it can't be drawn.
+pub fn png(width: u32, errors: &[PixelError], what: &str) -> Result<Vec<u8>, DrawError> {
     let height = (errors.len() / width as usize) as u32;
     let full = width.max(LEAST_WIDTH);
     let mut canvas = vec![[255_u8; 3]; full as usize * (height + KEY) as usize];
@@ -36,14 +31,15 @@ pub fn write(
         }
     }
     let bytes: &mut [u8] = bytemuck::cast_slice_mut(&mut canvas);
-    draw_key(bytes, (full, height + KEY), what).map_err(|e| PictureError::new(path, e))?;
-    write_png(path, full, height + KEY, bytes)
+    draw_key(bytes, (full, height + KEY), what)?;
+    encode_png(full, height + KEY, bytes).map_err(DrawError::new)
 }
 
 fn colour(error: &PixelError) -> [u8; 3] {
     match *error {
         PixelError::OtherFate { .. } => OTHER_FATE,
         PixelError::BothCaptured => BOTH_CAPTURED,
+        PixelError::NoValue => NO_VALUE,
         PixelError::BothEscape { pixels, .. } => scale(pixels.log10()),
     }
 }
@@ -66,7 +62,8 @@ fn draw_key(
     let strip = width as i32 - 2 * MARGIN;
     let area = BitMapBackend::with_buffer(canvas, (width, height)).into_drawing_area();
     area.draw(&Text::new(what.to_owned(), (MARGIN, top + 8), text(20)))?;
-    let caption = "pixels in image space; black: both captured, magenta: fates differ";
+    let caption =
+        "pixels in image space; black: both captured, magenta: fates differ, white: no value";
     area.draw(&Text::new(caption, (MARGIN, top + 30), text(18)))?;
     for x in 0..strip {
         let t = f64::from(x) / f64::from(strip);

@@ -3,49 +3,116 @@
 use crate::tone_map::tone_map;
 use image::codecs::openexr::OpenExrEncoder;
 use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder, ImageFormat};
-use lensbake_tables::container::{existing_folder, write_whole};
+use image::{ExtendedColorType, ImageEncoder, ImageError, ImageFormat};
+use lensbake_tables::output::{self, OutputError};
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// A picture: linear-light RGB, row-major `[height][width]`, row 0 at the top.
+/// A picture: linear-light RGB, row-major `[height][width]`, row 0 at the top. Every value is finite.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
     width: u32,
     height: u32,
     pixels: Vec<[f32; 3]>,
+    without_value: Option<WithoutValue>,
+}
+
+/// Pixels whose light could not be computed. They are black.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct WithoutValue {
+    /// How many, at least 1.
+    pub count: usize,
+    /// (column, row) of the first.
+    pub first: (u32, u32),
 }
 
 /// A picture that cannot be written.
 #[derive(Debug, Error)]
-#[error("{}: {problem}", path.display())]
-pub struct PictureError {
-    path: PathBuf,
-    problem: String,
+pub enum PictureError {
+    /// The ending names no format.
+    #[error("{}: the file's ending must be {}", path.display(), endings.join(" or "))]
+    Ending {
+        /// The file.
+        path: PathBuf,
+        /// The endings that do.
+        endings: &'static [&'static str],
+    },
+    /// The encoder failed.
+    #[error("the picture cannot be encoded: {0}")]
+    Encode(#[from] ImageError),
+    /// The file.
+    #[error(transparent)]
+    Output(#[from] OutputError),
 }
 
-impl PictureError {
-    pub(crate) fn new(path: &Path, problem: impl ToString) -> Self {
-        PictureError {
-            path: path.to_owned(),
-            problem: problem.to_string(),
-        }
+/// A format that pictures are written in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PictureFormat {
+    /// What a screen shows, in 8-bit sRGB.
+    Png,
+    /// All of the light, linear, in 32-bit floats.
+    OpenExr,
+}
+
+impl PictureFormat {
+    /// The format that the ending of `path` asks for; PNG for `-`, standard output.
+    ///
+    /// # Errors
+    /// [`PictureError::Ending`] if the ending is none of those of `formats`.
+    pub fn of(path: &Path, formats: &'static [PictureFormat]) -> Result<Self, PictureError> {
+        let asked = match ImageFormat::from_path(path) {
+            _ if path == Path::new("-") => Some(PictureFormat::Png),
+            Ok(ImageFormat::Png) => Some(PictureFormat::Png),
+            Ok(ImageFormat::OpenExr) => Some(PictureFormat::OpenExr),
+            _ => None,
+        };
+        asked
+            .filter(|format| formats.contains(format))
+            .ok_or_else(|| PictureError::Ending {
+                path: path.to_owned(),
+                endings: if formats == Self::ALL {
+                    &[".png", ".exr"]
+                } else {
+                    &[".png"]
+                },
+            })
     }
+
+    /// All of them.
+    pub const ALL: &'static [PictureFormat] = &[PictureFormat::Png, PictureFormat::OpenExr];
 }
 
 impl Picture {
-    /// A picture of `pixels`, row-major `[height][width]`.
+    /// A picture of `pixels`, row-major `[height][width]`. Those that are not finite are black in it, and
+    /// counted by [`Picture::without_value`].
     ///
     /// # Panics
     /// If their number is not width × height: a fault of the renderer, not of any input.
-    pub fn new(width: u32, height: u32, pixels: Vec<[f32; 3]>) -> Self {
+    pub fn new(width: u32, height: u32, mut pixels: Vec<[f32; 3]>) -> Self {
         assert_eq!(pixels.len(), width as usize * height as usize);
+        let mut without_value: Option<WithoutValue> = None;
+        for (index, pixel) in pixels.iter_mut().enumerate() {
+            if pixel.iter().all(|channel| channel.is_finite()) {
+                continue;
+            }
+            *pixel = [0.0; 3];
+            let place = (index as u32 % width, index as u32 / width);
+            let first = without_value.map_or(place, |lost| lost.first);
+            let count = without_value.map_or(0, |lost| lost.count) + 1;
+            without_value = Some(WithoutValue { count, first });
+        }
         Picture {
             width,
             height,
             pixels,
+            without_value,
         }
+    }
+
+    /// The pixels whose light could not be computed, if there are any.
+    pub fn without_value(&self) -> Option<WithoutValue> {
+        self.without_value
     }
 
     /// Width in pixels.
@@ -84,62 +151,42 @@ impl Picture {
             .collect()
     }
 
-    /// Checks that `path` can become a picture, before any work is done.
+    /// The picture as a file; a PNG is what a screen shows at an `exposure` in stops.
     ///
     /// # Errors
-    /// [`PictureError`] if its ending is neither .png nor .exr, or its folder does not exist.
-    pub fn check_path(path: &Path) -> Result<(), PictureError> {
-        format_of(path)?;
-        existing_folder(path)
-            .map(|_| ())
-            .map_err(|e| PictureError::new(path, e))
+    /// [`PictureError::Encode`] if the encoder fails.
+    pub fn encode(&self, format: PictureFormat, exposure: f32) -> Result<Vec<u8>, PictureError> {
+        if format == PictureFormat::Png {
+            let pixels = self.srgb(exposure);
+            return encode_png(self.width, self.height, bytemuck::cast_slice(&pixels));
+        }
+        let mut bytes = Vec::new();
+        OpenExrEncoder::new(Cursor::new(&mut bytes)).write_image(
+            bytemuck::cast_slice(&self.pixels),
+            self.width,
+            self.height,
+            ExtendedColorType::Rgb32F,
+        )?;
+        Ok(bytes)
     }
 
-    /// Writes the picture whole or not at all: .png is what a screen shows at an `exposure` in stops,
-    /// .exr is all of the light, linear, in 32-bit floats.
+    /// Writes the picture to `path` in the format of its ending, as [`Output::write`] does.
     ///
     /// # Errors
     /// [`PictureError`] names the file and what is wrong.
+    ///
+    /// [`Output::write`]: lensbake_tables::output::Output::write
     pub fn write(&self, path: &Path, exposure: f32) -> Result<(), PictureError> {
-        if format_of(path)? == ImageFormat::Png {
-            let pixels = self.srgb(exposure);
-            return write_png(path, self.width, self.height, bytemuck::cast_slice(&pixels));
-        }
-        let mut bytes = Vec::new();
-        OpenExrEncoder::new(Cursor::new(&mut bytes))
-            .write_image(
-                bytemuck::cast_slice(&self.pixels),
-                self.width,
-                self.height,
-                ExtendedColorType::Rgb32F,
-            )
-            .map_err(|e| PictureError::new(path, e))?;
-        write_whole(path, &bytes).map_err(|e| PictureError::new(path, e))
+        let format = PictureFormat::of(path, PictureFormat::ALL)?;
+        Ok(output::write(path, &self.encode(format, exposure)?)?)
     }
 }
 
-/// Writes 8-bit sRGB `pixels`, `[height][width][3]`, as PNG, whole or not at all.
-pub(crate) fn write_png(
-    path: &Path,
-    width: u32,
-    height: u32,
-    pixels: &[u8],
-) -> Result<(), PictureError> {
+/// 8-bit sRGB `pixels`, `[height][width][3]`, as a PNG file.
+pub(crate) fn encode_png(width: u32, height: u32, pixels: &[u8]) -> Result<Vec<u8>, PictureError> {
     let mut bytes = Vec::new();
-    PngEncoder::new(&mut bytes)
-        .write_image(pixels, width, height, ExtendedColorType::Rgb8)
-        .map_err(|e| PictureError::new(path, e))?;
-    write_whole(path, &bytes).map_err(|e| PictureError::new(path, e))
-}
-
-fn format_of(path: &Path) -> Result<ImageFormat, PictureError> {
-    match ImageFormat::from_path(path) {
-        Ok(format @ (ImageFormat::Png | ImageFormat::OpenExr)) => Ok(format),
-        _ => Err(PictureError::new(
-            path,
-            "the file's ending must be .png or .exr",
-        )),
-    }
+    PngEncoder::new(&mut bytes).write_image(pixels, width, height, ExtendedColorType::Rgb8)?;
+    Ok(bytes)
 }
 
 /// The sRGB transfer function (IEC 61966-2-1) of linear light, which is clamped to 0 … 1.
@@ -171,7 +218,6 @@ mod tests {
                 "{linear}"
             );
         }
-        assert_eq!(Picture::new(1, 1, vec![[f32::NAN; 3]]).srgb(0.0), [[0; 3]]);
     }
 
     #[test]

@@ -195,7 +195,15 @@ fn names_with_commas_and_names_that_are_no_text_are_files_too() {
     }
     // A picture of that name that is none is named as it is.
     let nowhere = OsStr::from_bytes(b"nowhere-\xff.png");
-    render(&["-o".as_ref(), out.as_ref(), "-s".as_ref(), nowhere])
+    let args = ["-o".as_ref(), out.as_ref(), "-s".as_ref(), nowhere];
+    VIEWER
+        .run(
+            &RENDER[..5]
+                .iter()
+                .map(OsStr::new)
+                .chain(args)
+                .collect::<Vec<_>>(),
+        )
         .refuses(&["neither a file nor a built-in sky"]);
 }
 

@@ -309,7 +309,9 @@ fn a_million_lines_load() {
 fn a_pixel_straight_away_from_the_hole_is_like_any_other() {
     let folder = folder();
     let file = path(&folder, "heat.png");
-    let odd = ["--size", "161x91", "--yaw", "180", "-s", "grid", "-o", &file];
+    let odd = [
+        "--size", "161x91", "--yaw", "180", "-s", "grid", "-o", &file,
+    ];
     VIEWER
         .run(&[&["diff", "--device", "cpu"], &odd[..]].concat())
         .succeeds();
@@ -318,11 +320,11 @@ fn a_pixel_straight_away_from_the_hole_is_like_any_other() {
     for device in ["cpu", "auto"] {
         let args = ["render", "--device", device, "--method", "direct"];
         let more = ["--yaw", "180", "-s", "grid", "-o", &exr];
-        VIEWER
-            .run(&[&args[..], &steep, &more].concat())
-            .succeeds();
+        VIEWER.run(&[&args[..], &steep, &more].concat()).succeeds();
         let picture = image::open(&exr).unwrap().into_rgb32f();
-        let lost = picture.pixels().filter(|p| !p.0.iter().all(|c| c.is_finite()));
+        let lost = picture
+            .pixels()
+            .filter(|p| !p.0.iter().all(|c| c.is_finite()));
         assert_eq!(lost.count(), 0, "{device}");
         let dark = picture.pixels().filter(|p| p.0 == [0.0; 3]);
         assert_eq!(dark.count(), 0, "{device}");
@@ -336,7 +338,15 @@ fn what_32_bits_cannot_draw_is_drawn_on_the_cpu_or_said() {
     let folder = folder();
     let draw = |device: &str, fov: &str| {
         let file = path(&folder, &format!("{device}-{fov}.png"));
-        let view = ["render", "-s", "starmap", "-r", "10", "--yaw", "14.26902733"];
+        let view = [
+            "render",
+            "-s",
+            "starmap",
+            "-r",
+            "10",
+            "--yaw",
+            "14.26902733",
+        ];
         let more = ["--size", "160x90", "--fov", fov, "-d", device, "-o", &file];
         let run = VIEWER.run(&[&view[..], &more].concat()).succeeds();
         (run, image::open(file).unwrap().into_rgb8())

@@ -4,14 +4,22 @@ use super::CommandError;
 use crate::cli::{AxisName, BakeArgs};
 use bake::baker::{self, Recipe};
 use bake::measure::measured;
-use lensbake_report::{Outcome, Progress};
-use lensbake_tables::{Axis, Rows, Table, container};
+use bake::rays::EDGE_GAP;
+use lensbake_report::{Outcome, Progress, message};
+use lensbake_tables::{Axis, ContainerError, Rows, Table, container};
 use std::time::Instant;
 
 pub fn run(args: &BakeArgs) -> Result<Outcome, CommandError> {
-    // A wrong ending or folder is found before the work, not after it.
-    for path in &args.output {
-        container::check_path(path)?;
+    // What is wrong with an output is found before the work, not after it.
+    let outputs: Vec<_> = args
+        .output
+        .iter()
+        .map(|path| container::output(path))
+        .collect::<Result<_, _>>()?;
+    for (i, (_, output)) in outputs.iter().enumerate() {
+        for (_, other) in &outputs[..i] {
+            output.is_apart(other, ["--output", "--output"])?;
+        }
     }
     let recipe = recipe(args);
     let table = match args.threads {
@@ -24,12 +32,15 @@ pub fn run(args: &BakeArgs) -> Result<Outcome, CommandError> {
     };
     let error = table.header().measured.max_error;
     if let Some(budget) = args.budget.filter(|&budget| error > budget) {
-        eprintln!("the error is above the budget of {budget:.3e} rad: nothing is written");
+        message!("the error is above the budget of {budget:.3e} rad: nothing is written");
         return Ok(Outcome::Missed);
     }
-    for path in &args.output {
-        container::write(path, &table)?;
-        eprintln!("wrote {}", path.display());
+    for (container, output) in &outputs {
+        let bytes = container
+            .encode(&table)
+            .map_err(|problem| ContainerError::new(output.path(), problem))?;
+        output.write(&bytes)?;
+        message!("wrote {}", output.path().display());
     }
     Ok(Outcome::Done)
 }
@@ -70,7 +81,7 @@ fn bake_and_measure(recipe: &Recipe) -> Result<Table, CommandError> {
     let progress = Progress::new("baking", rows.into());
     let table = baker::bake(recipe, || progress.step())?;
     let seconds = progress.finish().as_secs_f64();
-    eprintln!(
+    message!(
         "baked {rows} x {} texels ({:.1} KiB) in {seconds:.3} s on {} threads",
         recipe.texels,
         table.bytes() as f64 / 1024.0,
@@ -79,7 +90,14 @@ fn bake_and_measure(recipe: &Recipe) -> Result<Table, CommandError> {
     let started = Instant::now();
     let table = measured(table)?;
     let measured = table.header().measured;
-    eprintln!(
+    if measured.rays == 0 {
+        message!(
+            "the error is not known: no ray was measured, since all are nearer to the shadow's edge than \
+             1 - x = {EDGE_GAP:.0e}"
+        );
+        return Ok(table);
+    }
+    message!(
         "largest error {:.3e} rad against the closed form over {} rays off the nodes, r from {:.6}, \
          1 - x from {:.1e} (measured in {:.3} s)",
         measured.max_error,

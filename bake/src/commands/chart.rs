@@ -1,35 +1,44 @@
 //! `bake chart`: speed against accuracy.
 
-use super::{CommandError, make_directory, write_figure, write_file};
+use super::{CommandError, FigureFiles};
 use crate::cli::ChartArgs;
 use bake::chart::figure::{ChartFigure, Unit};
 use bake::chart::{Effort, Entry, Section, csv, measure, pareto, steps};
-use lensbake_report::{Outcome, Progress};
-use std::io::{self, Write};
+use lensbake_report::{Outcome, Printer, Progress, message};
+use lensbake_tables::output::OutputFolder;
 
 pub fn run(args: &ChartArgs) -> Result<Outcome, CommandError> {
-    make_directory(&args.output)?;
+    let folder = OutputFolder::new(&args.output)?;
+    let table = folder.file("chart.csv")?;
+    let figures = [
+        (FigureFiles::new(&folder, "chart-rad")?, Unit::Radians),
+        (FigureFiles::new(&folder, "chart-px")?, Unit::Pixels),
+    ];
     let effort = effort(args);
     let progress = Progress::new("measuring", steps(&effort));
     let sections = measure(&effort, || progress.step())?;
     let elapsed = progress.finish();
-    write_file(
-        &args.output.join("chart.csv"),
-        csv::text(&sections).as_bytes(),
-    )?;
-    for (name, unit) in [("chart-rad", Unit::Radians), ("chart-px", Unit::Pixels)] {
-        let figure = ChartFigure {
-            sections: &sections,
-            unit,
-        };
-        write_figure(&args.output.join(name), &figure)?;
-    }
-    eprintln!(
+    let written = table
+        .write(csv::text(&sections).as_bytes())
+        .map_err(CommandError::from)
+        .and_then(|()| {
+            figures.into_iter().try_for_each(|(files, unit)| {
+                files.write(&ChartFigure {
+                    sections: &sections,
+                    unit,
+                })
+            })
+        });
+    let mut printer = Printer::new(false);
+    let outcome = report(&sections, &mut printer);
+    written?;
+    message!(
         "measured in {:.0} s, wrote {}",
         elapsed.as_secs_f64(),
-        args.output.display()
+        folder.path().display()
     );
-    report(&sections)
+    printer.finish()?;
+    Ok(outcome)
 }
 
 fn effort(args: &ChartArgs) -> Effort {
@@ -53,9 +62,9 @@ fn effort(args: &ChartArgs) -> Effort {
 }
 
 /// Prints the Pareto front of the far observer's methods, and whether the claim holds.
-fn report(sections: &[Section]) -> Result<Outcome, CommandError> {
+fn report(sections: &[Section], printer: &mut Printer) -> Outcome {
     let Some(far) = sections.first() else {
-        return Ok(Outcome::Done);
+        return Outcome::Missed;
     };
     let mut text = String::from("      ns   largest error, rad        px   bytes   method\n");
     for index in pareto::front(&far.entries, |entry| entry.radians.max) {
@@ -69,15 +78,12 @@ fn report(sections: &[Section]) -> Result<Outcome, CommandError> {
     for entry in &better {
         text += &format!("better than the default row:\n{}", line(entry));
     }
-    io::stdout()
-        .write_all(text.as_bytes())
-        .map_err(CommandError::Stdout)?;
+    printer.print(&text);
     if better.is_empty() {
-        Ok(Outcome::Done)
-    } else {
-        eprintln!("bake: a method beats the default row");
-        Ok(Outcome::Missed)
+        return Outcome::Done;
     }
+    message!("bake: a method beats the default row");
+    Outcome::Missed
 }
 
 fn line(entry: &Entry) -> String {

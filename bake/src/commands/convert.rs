@@ -1,13 +1,17 @@
 //! `bake convert`: the same bits in the other container.
 
 use super::CommandError;
-use lensbake_report::Outcome;
-use lensbake_tables::container;
+use lensbake_report::{Outcome, message};
+use lensbake_tables::{ContainerError, container};
 use std::path::Path;
 
 pub fn run(from: &Path, to: &Path) -> Result<Outcome, CommandError> {
-    container::check_path(to)?;
-    container::write(to, &container::read(from)?)?;
-    eprintln!("wrote {}", to.display());
+    let (container, output) = container::output(to)?;
+    output.spares(from)?;
+    let bytes = container
+        .encode(&container::read(from)?)
+        .map_err(|problem| ContainerError::new(to, problem))?;
+    output.write(&bytes)?;
+    message!("wrote {}", to.display());
     Ok(Outcome::Done)
 }

@@ -1,13 +1,16 @@
 //! `bake diff`: a table against the direct integrator and against the closed form.
 
-use super::{CommandError, table_or_atlas, write_file};
+use super::{CommandError, table_or_atlas};
 use crate::cli::DiffArgs;
 use bake::diff::{Comparison, Diff, DiffStatistics, Picture, diff};
 use bake::{plot, rays};
-use lensbake_report::{Outcome, Progress};
-use std::io::{self, Write};
+use lensbake_report::drawing::DrawError;
+use lensbake_report::{Outcome, Printer, Progress, message};
+use lensbake_tables::output::Output;
+use std::path::PathBuf;
 
 pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
+    let outputs = Outputs::new(args)?;
     let (table, name) = table_or_atlas(args.file.as_deref())?;
     let sights = rays::random(table.header(), args.rays as usize, args.seed);
     let progress = Progress::new("comparing", args.rays.into());
@@ -22,26 +25,61 @@ pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
         width: args.width,
         field_of_view: args.fov.to_radians(),
     };
-    if let Some(path) = &args.csv {
-        let mut csv = Vec::new();
-        diff.write_csv(&picture, &mut csv)
-            .map_err(CommandError::Stdout)?;
-        write_file(path, &csv)?;
+    let name = name.display().to_string();
+    // What fails of files and report keeps nothing of the rest from the user.
+    let csv = outputs.write_csv(&diff, &picture);
+    let plot = outputs.write_plot(&diff, args.budget, &name);
+    let mut printer = Printer::new(outputs.take_standard_output());
+    let outcome = report(&diff, &picture, args, &name, &mut printer);
+    csv.and(plot)?;
+    printer.finish()?;
+    Ok(outcome)
+}
+
+/// The files beside the report.
+struct Outputs {
+    csv: Option<Output>,
+    plot: Option<Output>,
+}
+
+impl Outputs {
+    fn new(args: &DiffArgs) -> Result<Self, CommandError> {
+        let output = |path: &Option<PathBuf>| path.as_deref().map(Output::new).transpose();
+        let outputs = Outputs {
+            csv: output(&args.csv)?,
+            plot: output(&args.plot)?,
+        };
+        if let (Some(csv), Some(plot)) = (&outputs.csv, &outputs.plot) {
+            csv.is_apart(plot, ["--csv", "--plot"])?;
+        }
+        if let Some(table) = &args.file {
+            for output in [&outputs.csv, &outputs.plot].into_iter().flatten() {
+                output.spares(table)?;
+            }
+        }
+        Ok(outputs)
     }
-    if let Some(path) = &args.plot {
-        let title = format!(
-            "{}: error along the row, {} rays",
-            name.display(),
-            args.rays
-        );
-        let svg =
-            plot::error_figure(&diff, args.budget, &title).map_err(|e| CommandError::File {
-                path: path.clone(),
-                problem: e.to_string(),
-            })?;
-        write_file(path, svg.as_bytes())?;
+
+    fn take_standard_output(&self) -> bool {
+        let outputs = [&self.csv, &self.plot].into_iter().flatten();
+        outputs.into_iter().any(Output::is_standard_output)
     }
-    report(&diff, &picture, args, &name.display().to_string())
+
+    fn write_csv(&self, diff: &Diff, picture: &Picture) -> Result<(), CommandError> {
+        match &self.csv {
+            Some(file) => Ok(file.write(diff.csv(picture).as_bytes())?),
+            None => Ok(()),
+        }
+    }
+
+    fn write_plot(&self, diff: &Diff, budget: f64, name: &str) -> Result<(), CommandError> {
+        let Some(file) = &self.plot else {
+            return Ok(());
+        };
+        let title = format!("{name}: error along the row, {} rays", diff.rays.len());
+        let svg = plot::error_figure(diff, budget, &title).map_err(DrawError::from)?;
+        Ok(file.write(svg.as_bytes())?)
+    }
 }
 
 /// One of the differences that are reported.
@@ -53,12 +91,14 @@ const DIFFERENCES: [Difference; 3] = [
     ("direct - closed form", |ray| ray.direct - ray.closed),
 ];
 
+/// Prints the differences, and whether the budget is kept.
 fn report(
     diff: &Diff,
     picture: &Picture,
     args: &DiffArgs,
     name: &str,
-) -> Result<Outcome, CommandError> {
+    printer: &mut Printer,
+) -> Outcome {
     let mut text = format!(
         "{name}: {} rays, 1 - x from {:.0e}; pixels of a picture {} wide and {} degrees across\n",
         diff.rays.len(),
@@ -66,34 +106,32 @@ fn report(
         args.width,
         args.fov,
     );
-    let mut missed = false;
+    let mut within_budget = false;
     for (index, (what, error)) in DIFFERENCES.into_iter().enumerate() {
         let Some(DiffStatistics { radians, pixels }) = diff.statistics(picture, error) else {
             continue;
         };
         text += &format!("{what:21} rad  {radians}\n");
-        match pixels {
-            Some(pixels) => text += &format!("{:21} px   {pixels}\n", ""),
-            None => {
-                text += &format!(
-                    "{:21} px   none: the observer at infinity has no picture\n",
-                    ""
-                )
-            }
-        }
+        text += &match pixels {
+            Some(pixels) => format!("{:21} px   {pixels}\n", ""),
+            None => format!(
+                "{:21} px   none: the observer at infinity has no picture\n",
+                ""
+            ),
+        };
         if index == 0 {
-            missed = radians.max > args.budget || pixels.is_some_and(|p| p.max > args.budget_px);
+            within_budget =
+                radians.max <= args.budget && pixels.is_none_or(|p| p.max <= args.budget_px);
         }
     }
-    io::stdout()
-        .write_all(text.as_bytes())
-        .map_err(CommandError::Stdout)?;
-    if missed {
-        eprintln!(
-            "bake: {name}: the error against the closed form is above the budget of {:e} rad or {} px",
-            args.budget, args.budget_px
-        );
-        return Ok(Outcome::Missed);
+    printer.print(&text);
+    if within_budget {
+        return Outcome::Done;
     }
-    Ok(Outcome::Done)
+    message!(
+        "bake: {name}: the error against the closed form is above the budget of {:e} rad or {} px",
+        args.budget,
+        args.budget_px
+    );
+    Outcome::Missed
 }

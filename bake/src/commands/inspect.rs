@@ -1,9 +1,8 @@
 //! `bake inspect`: what a table says of itself.
 
 use super::CommandError;
-use lensbake_report::Outcome;
+use lensbake_report::{Outcome, Printer};
 use lensbake_tables::{Field, container};
-use std::io::{self, Write};
 use std::path::Path;
 
 pub fn run(file: &Path) -> Result<Outcome, CommandError> {
@@ -13,11 +12,10 @@ pub fn run(file: &Path) -> Result<Outcome, CommandError> {
         lines.push((name.to_owned(), show(&field)));
     }
     lines.push(("bytes".into(), table.bytes().to_string()));
-    let mut out = io::stdout().lock();
-    lines
-        .iter()
-        .try_for_each(|(name, value)| writeln!(out, "{name:18} {value}"))
-        .map_err(CommandError::Stdout)?;
+    let line = |(name, value): &(String, String)| format!("{name:18} {value}\n");
+    let mut printer = Printer::new(false);
+    printer.print(&lines.iter().map(line).collect::<String>());
+    printer.finish()?;
     Ok(Outcome::Done)
 }
 

@@ -8,11 +8,12 @@ pub mod inspect;
 pub mod query;
 pub mod stability;
 
-use lensbake_report::drawing::{self, Figure};
+use ::bake::query::QuestionError;
+use lensbake_report::PrintError;
+use lensbake_report::drawing::{self, DrawError, Figure};
+use lensbake_tables::output::{Output, OutputError, OutputFolder};
 use lensbake_tables::{ContainerError, Table, TableError, container, default_atlas};
 use std::borrow::Cow;
-use std::error::Error;
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -40,32 +41,23 @@ pub enum CommandError {
         /// Which line, from 1.
         line: usize,
         /// What is wrong with it.
-        problem: String,
+        problem: QuestionError,
     },
     /// Standard input.
     #[error("standard input: {0}")]
     Stdin(io::Error),
     /// Standard output.
-    #[error("standard output: {0}")]
-    Stdout(io::Error),
-    /// Another file that was to be written.
-    #[error("{}: {problem}", path.display())]
-    File {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong.
-        problem: String,
-    },
+    #[error(transparent)]
+    Print(#[from] PrintError),
+    /// A file to write.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// A figure.
+    #[error(transparent)]
+    Draw(#[from] DrawError),
     /// The thread pool.
     #[error("cannot start the threads asked for with --threads: {0}")]
     Threads(String),
-}
-
-impl CommandError {
-    /// Whether the reader of standard output has gone.
-    pub fn is_broken_pipe(&self) -> bool {
-        matches!(self, CommandError::Stdout(e) if e.kind() == io::ErrorKind::BrokenPipe)
-    }
 }
 
 /// The table in `file`, or the built-in atlas, with a name to call it by.
@@ -76,32 +68,24 @@ fn table_or_atlas(file: Option<&Path>) -> Result<(Cow<'static, Table>, PathBuf),
     })
 }
 
-/// Writes `bytes` to `path` whole or not at all.
-fn write_file(path: &Path, bytes: &[u8]) -> Result<(), CommandError> {
-    container::write_whole(path, bytes).map_err(|e| CommandError::File {
-        path: path.to_owned(),
-        problem: e.to_string(),
-    })
+/// The two files of a figure, checked before the work.
+struct FigureFiles {
+    svg: Output,
+    png: Output,
 }
 
-/// Makes sure that there is a directory at `path`.
-fn make_directory(path: &Path) -> Result<(), CommandError> {
-    fs::create_dir_all(path).map_err(|e| CommandError::File {
-        path: path.to_owned(),
-        problem: e.to_string(),
-    })
-}
+impl FigureFiles {
+    /// `name`.svg and `name`.png in `folder`.
+    fn new(folder: &OutputFolder, name: &str) -> Result<Self, OutputError> {
+        Ok(FigureFiles {
+            svg: folder.file(&format!("{name}.svg"))?,
+            png: folder.file(&format!("{name}.png"))?,
+        })
+    }
 
-/// Draws `figure` to `stem`.svg and `stem`.png.
-fn write_figure(stem: &Path, figure: &impl Figure) -> Result<(), CommandError> {
-    let undrawn = |path: &Path, e: Box<dyn Error>| CommandError::File {
-        path: path.to_owned(),
-        problem: e.to_string(),
-    };
-    let path = stem.with_extension("svg");
-    let svg = drawing::svg(figure).map_err(|e| undrawn(&path, e))?;
-    write_file(&path, svg.as_bytes())?;
-    let path = stem.with_extension("png");
-    let png = drawing::png(figure).map_err(|e| undrawn(&path, e))?;
-    write_file(&path, &png)
+    /// Draws `figure` to both.
+    fn write(&self, figure: &impl Figure) -> Result<(), CommandError> {
+        self.svg.write(drawing::svg(figure)?.as_bytes())?;
+        Ok(self.png.write(&drawing::png(figure)?)?)
+    }
 }

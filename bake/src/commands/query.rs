@@ -1,90 +1,80 @@
-//! `bake query`: the bending of each ray asked for, one line each.
+//! `bake query`: the bending of each ray asked for, one line each, answered as it comes.
 
 use super::{CommandError, table_or_atlas};
-use crate::cli::{Method, QueryArgs};
-use bake::rays::Sight;
-use lensbake_core::rk4::Stepper;
-use lensbake_core::{EdgeCoordinate, Fate, Observer, Ray, direct, exact};
-use lensbake_report::Outcome;
-use lensbake_tables::{Row, Table, TableError};
-use std::io::{self, BufRead, BufWriter, Write};
+use crate::cli::{Method as MethodName, QueryArgs};
+use bake::query::{Answers, MAX_LINE, Method, Question};
+use lensbake_core::Fate;
+use lensbake_report::{Outcome, Printer};
+use std::io::{self, BufRead, BufReader, Read};
+
+/// Answers are held back until so many bytes of them are ready.
+const BLOCK: usize = 1 << 16;
 
 pub fn run(args: &QueryArgs) -> Result<Outcome, CommandError> {
     let (table, name) = table_or_atlas(args.table.as_deref())?;
-    let mut lookup = Lookup {
-        table: &table,
-        row: None,
-    };
-    let mut out = BufWriter::new(io::stdout().lock());
-    for (index, line) in io::stdin().lock().lines().enumerate() {
-        let line = line.map_err(CommandError::Stdin)?;
-        if line.trim().is_empty() || line.trim_start().starts_with('#') {
-            continue;
+    let mut answers = Answers::new(match args.method {
+        MethodName::Lut => Method::Lookup(&table),
+        MethodName::Rk4 => Method::Rk4(args.tolerance),
+        MethodName::Exact => Method::Exact,
+    });
+    let mut printer = Printer::new(false);
+    let mut input = BufReader::with_capacity(BLOCK, io::stdin().lock());
+    let (mut line, mut ready) = (Vec::new(), String::new());
+    let mut number = 0;
+    let asked = loop {
+        // Nobody waits for an answer as long as the next question is there.
+        if ready.len() > BLOCK || !input.buffer().contains(&b'\n') {
+            printer.print(&ready);
+            ready.clear();
         }
-        let (sight, ray) = parse(&line).map_err(|problem| CommandError::Line {
-            line: index + 1,
-            problem,
-        })?;
-        let bend = match args.method {
-            Method::Exact => exact::bend(&ray),
-            Method::Rk4 => direct::bend(&ray, Stepper::Adaptive(args.tolerance)),
-            Method::Lut => lookup
-                .bend(sight)
-                .map_err(|problem| CommandError::InTable {
-                    path: name.clone(),
+        if !printer.is_read() {
+            break Ok(());
+        }
+        match next_line(&mut input, &mut line) {
+            Ok(true) => number += 1,
+            Ok(false) => break Ok(()),
+            Err(error) => break Err(CommandError::Stdin(error)),
+        }
+        match Question::parse(&line) {
+            Ok(None) => {}
+            Ok(Some(question)) => match answers.answer(&question) {
+                Ok(bend) => ready += &text(bend),
+                Err(problem) => {
+                    break Err(CommandError::InTable {
+                        path: name,
+                        problem,
+                    });
+                }
+            },
+            Err(problem) => {
+                break Err(CommandError::Line {
+                    line: number,
                     problem,
-                })?,
-        };
-        match bend {
-            Fate::Escapes(bend) => writeln!(out, "{bend:.16e}"),
-            Fate::Captured => writeln!(out, "captured"),
+                });
+            }
         }
-        .map_err(CommandError::Stdout)?;
-    }
-    out.flush().map_err(CommandError::Stdout)?;
+    };
+    // What was asked before a bad line is answered.
+    printer.print(&ready);
+    asked.and(printer.finish().map_err(CommandError::Print))?;
     Ok(Outcome::Done)
 }
 
-/// A table and the row last mixed from it: questions often come from one observer.
-struct Lookup<'a> {
-    table: &'a Table,
-    row: Option<Row>,
-}
-
-impl Lookup<'_> {
-    fn bend(&mut self, sight: Sight) -> Result<Fate, TableError> {
-        let row = match self.row.take() {
-            Some(row) if *row.observer() == sight.observer => row,
-            _ => self.table.row(sight.observer)?,
-        };
-        let bend = row.bend(sight.at);
-        self.row = Some(row);
-        Ok(bend)
+/// Reads the next line, without its end, or of a longer one as much as shows that it is too long; false at
+/// the end of input.
+fn next_line(input: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
+    line.clear();
+    let most = MAX_LINE as u64 + 2;
+    let read = input.take(most).read_until(b'\n', line)?;
+    if line.last() == Some(&b'\n') {
+        line.pop();
     }
+    Ok(read > 0)
 }
 
-/// A line `R THETA_DEG` or `inf B`.
-fn parse(line: &str) -> Result<(Sight, Ray), String> {
-    let words: Vec<&str> = line.split_whitespace().collect();
-    let [first, second] = words[..] else {
-        return Err(format!("'{line}' is not `R THETA_DEG` or `inf B`"));
-    };
-    let number = |word: &str| {
-        word.parse::<f64>()
-            .map_err(|_| format!("'{word}' is not a number"))
-    };
-    let observer = Observer::at(number(first)?).map_err(|e| e.to_string())?;
-    let second = number(second)?;
-    let (at, ray) = if observer.is_far() {
-        let ray = Ray::from_infinity(second).map_err(|e| e.to_string())?;
-        (EdgeCoordinate::from_b(second), ray)
-    } else {
-        if !(0.0..=180.0).contains(&second) {
-            return Err(format!("view angle {second} is outside 0 to 180 degrees"));
-        }
-        let theta = second.to_radians();
-        let ray = observer.ray(theta).map_err(|e| e.to_string())?;
-        (observer.edge_coordinate(theta), ray)
-    };
-    Ok((Sight { observer, at }, ray))
+fn text(bend: Fate) -> String {
+    match bend {
+        Fate::Escapes(bend) => format!("{bend:.16e}\n"),
+        Fate::Captured => "captured\n".to_owned(),
+    }
 }

@@ -6,8 +6,10 @@ mod openexr;
 
 use crate::error::{ContainerError, Problem};
 use crate::header::MAX_TEXELS;
+use crate::output::Output;
 use crate::{Table, Texel};
-use std::io::Write;
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
 /// Version of both layouts; a file of another is refused.
@@ -62,15 +64,18 @@ pub fn read(path: &Path) -> Result<Table, ContainerError> {
         .map_err(at(path))
 }
 
+/// The bytes of a file, a device or a FIFO, as far as any table reaches.
 fn read_bytes(path: &Path) -> Result<Vec<u8>, Problem> {
-    let found = std::fs::metadata(path)?.len();
-    if found > MAX_FILE_BYTES {
+    let mut bytes = Vec::new();
+    File::open(path)?
+        .take(MAX_FILE_BYTES + 1)
+        .read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MAX_FILE_BYTES {
         return Err(Problem::TooLarge {
-            found,
             max: MAX_FILE_BYTES,
         });
     }
-    Ok(std::fs::read(path)?)
+    Ok(bytes)
 }
 
 /// Reads a table from the bytes of either container.
@@ -87,71 +92,36 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Table, Problem> {
     }
 }
 
-/// Writes a table to the container that the file's ending asks for: to a temporary file beside it,
-/// then by renaming, so that nothing half-written is ever there.
+/// The output at `path` with the container that its ending asks for, checked before any work is done;
+/// [`Container::Binary`] for `-`, standard output.
+///
+/// # Errors
+/// [`ContainerError`] if the ending names no container, or as [`Output::binary`].
+pub fn output(path: &Path) -> Result<(Container, Output), ContainerError> {
+    let output = |container| match Output::binary(path) {
+        Ok(output) => Ok((container, output)),
+        Err(error) => Err(at(path)(error.problem.into())),
+    };
+    if path == Path::new("-") {
+        return output(Container::Binary);
+    }
+    output(Container::of(path)?)
+}
+
+/// Writes a table to the container that the file's ending asks for, as [`Output::write`] does.
 ///
 /// # Errors
 /// [`ContainerError`] names the file and what is wrong.
 pub fn write(path: &Path, table: &Table) -> Result<(), ContainerError> {
-    let container = Container::of(path)?;
+    let (container, output) = output(path)?;
     container
         .encode(table)
-        .and_then(|bytes| Ok(write_whole(path, &bytes)?))
+        .and_then(|bytes| output.write(&bytes).map_err(|error| error.problem.into()))
         .map_err(at(path))
 }
 
-/// Checks, before any work is done, that `path` can become a table.
-///
-/// # Errors
-/// [`ContainerError`] if its ending names no container or its folder does not exist.
-pub fn check_path(path: &Path) -> Result<(), ContainerError> {
-    Container::of(path)?;
-    existing_folder(path)
-        .map(|_| ())
-        .map_err(|e| at(path)(e.into()))
-}
-
-/// The folder that `path` lies in.
-///
-/// # Errors
-/// [`std::io::ErrorKind::NotFound`] if it does not exist.
-pub fn existing_folder(path: &Path) -> std::io::Result<&Path> {
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    if folder.is_dir() {
-        Ok(folder)
-    } else {
-        let message = format!("the folder {} does not exist", folder.display());
-        Err(std::io::Error::new(std::io::ErrorKind::NotFound, message))
-    }
-}
-
-/// Writes `bytes` to `path` whole or not at all.
-///
-/// # Errors
-/// What the operating system says; the folder must exist.
-pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let folder = existing_folder(path)?;
-    let mut builder = tempfile::Builder::new();
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // As for any file a program creates: the umask takes its share.
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(bytes)?;
-    file.persist(path).map_err(|e| e.error)?;
-    Ok(())
-}
-
 fn at(path: &Path) -> impl FnOnce(Problem) -> ContainerError {
-    move |problem| ContainerError {
-        path: path.to_owned(),
-        problem,
-    }
+    move |problem| ContainerError::new(path, problem)
 }
 
 /// CRC-32 of the bytes that both containers stand for: the binary header and the texels.

@@ -63,6 +63,7 @@ mod tests {
             },
             times: FrameTimes { gpu, wall: time },
             errors: TraceStatistics {
+                no_value: 0,
                 radians: errors,
                 pixels: errors,
                 other_fates: 0,

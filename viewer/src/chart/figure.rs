@@ -2,14 +2,11 @@
 
 use super::plane::{BOTTOM, LEFT, Plane, RIGHT, TOP};
 use super::{Chart, Entry, Family};
-use crate::picture::PictureError;
-use lensbake_report::drawing::{self, Area, Figure, Ink, text};
+use lensbake_report::drawing::{Area, Figure, Ink, text};
 use lensbake_report::front;
-use lensbake_tables::container::write_whole;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;
-use std::path::Path;
 
 const SIZE: (u32, u32) = (1600, 1000);
 /// Least distance between the labels of a family, pixels.
@@ -19,19 +16,9 @@ const ASIDE: i32 = 24;
 /// From the middle of a line of text to what looks like its middle, pixels.
 const LETTERS: i32 = 4;
 
-/// Writes the figure as an SVG and as a PNG file, each whole or not at all.
-///
-/// # Errors
-/// [`PictureError`] names the file and what is wrong.
-pub fn write(chart: &Chart, svg: &Path, png: &Path) -> Result<(), PictureError> {
-    let figure = ChartFigure(chart);
-    let text = drawing::svg(&figure).map_err(|e| PictureError::new(svg, e))?;
-    write_whole(svg, text.as_bytes()).map_err(|e| PictureError::new(svg, e))?;
-    let bytes = drawing::png(&figure).map_err(|e| PictureError::new(png, e))?;
-    write_whole(png, &bytes).map_err(|e| PictureError::new(png, e))
-}
-
-struct ChartFigure<'a>(&'a Chart);
+/// The figure of a chart.
+#[derive(Debug)]
+pub struct ChartFigure<'a>(pub &'a Chart);
 
 impl Figure for ChartFigure<'_> {
     fn size(&self) -> (u32, u32) {

@@ -3,14 +3,18 @@
 use super::scene::{MethodName, SamplingName, SceneArgs, ViewArgs};
 use super::values::{exposure, size, stars, stops};
 use clap::Args;
+use clap::builder::{OsStringValueParser, TypedValueParser};
 use std::path::PathBuf;
 use viewer::stars::StarSource;
+
+/// The file that a picture is written to unless another is named.
+pub const PICTURE: &str = "lensed.png";
 
 /// Options of `viewer render`.
 #[derive(Debug, Args)]
 pub struct RenderArgs {
-    /// Picture to write: .png as a screen shows it, .exr in linear light.
-    #[arg(short, long, value_name = "FILE", default_value = "lensed.png")]
+    /// Picture to write: .png as a screen shows it, .exr in linear light, - for a .png on standard output.
+    #[arg(short, long, value_name = "FILE", default_value = PICTURE)]
     pub output: PathBuf,
     /// Who bends the light: the table, direct integration, or nobody.
     #[arg(long, value_enum, default_value_t = MethodName::Lut)]
@@ -42,11 +46,11 @@ pub struct RenderArgs {
 }
 
 /// Point stars.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct StarArgs {
     /// Stars before the sky: `hipparcos`, or a catalogue: CSV with the columns ra, dec (degrees, J2000),
     /// mag and, if known, bv; or the compact format. `--sky stars` alone means hipparcos.
-    #[arg(long, value_name = "STARS", value_parser = stars)]
+    #[arg(long, value_name = "STARS", value_parser = OsStringValueParser::new().try_map(stars))]
     pub stars: Option<StarSource>,
     /// Exposure of the stars: each stop doubles their light.
     #[arg(
@@ -69,7 +73,7 @@ pub struct CatalogueArgs {
     /// The raw file.
     #[arg(value_name = "RAW")]
     pub raw: PathBuf,
-    /// Compact catalogue to write.
+    /// Compact catalogue to write, - for standard output.
     #[arg(short, long, value_name = "FILE", default_value = "hipparcos.stars")]
     pub output: PathBuf,
 }

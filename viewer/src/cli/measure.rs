@@ -44,10 +44,11 @@ pub struct BenchArgs {
     /// Frames of each method at each size at the least, however long they take.
     #[arg(long, value_name = "N", default_value_t = 15, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub rounds: u32,
-    /// File to write the figures to as comma-separated values.
+    /// File to write the figures to as comma-separated values; - is standard output, and the report goes to
+    /// standard error.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
-    /// File to write the figures to as JSON.
+    /// File to write the figures to as JSON, or - as for --csv.
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
 }

@@ -5,7 +5,7 @@ mod measure;
 mod scene;
 mod values;
 
-pub use draw::{CatalogueArgs, DiffArgs, RenderArgs, StarArgs, WindowArgs};
+pub use draw::{CatalogueArgs, DiffArgs, PICTURE, RenderArgs, StarArgs, WindowArgs};
 pub use measure::{BenchArgs, ChartArgs, FlickerArgs, ReferenceArgs};
 pub use scene::{DeviceName, MethodName, SamplingName, SceneArgs, ViewArgs};
 

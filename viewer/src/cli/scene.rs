@@ -1,6 +1,7 @@
 //! Options of a scene: the view, the sky, and what draws it.
 
 use super::values::{place, size, sky};
+use clap::builder::{OsStringValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use viewer::camera::View;
@@ -22,7 +23,7 @@ pub struct SceneArgs {
 }
 
 /// Where the camera is, how it looks, and at what.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct ViewArgs {
     /// Field of view across the picture, between 0 and 180.
     #[arg(long, value_name = "DEG", default_value_t = View::default().fov_deg, allow_negative_numbers = true)]
@@ -81,7 +82,7 @@ pub struct ViewArgs {
     pub hole: Option<(f64, f64)>,
     /// Sky: `nebula`, `starmap`, `grid`, `stars` (black, with the Hipparcos stars before it), a panorama (2:1), or six cube faces separated by commas:
     /// right,left,top,bottom,front,back. PNG, JPEG, HDR or EXR.
-    #[arg(short, long, value_name = "SKY", default_value = "nebula", value_parser = sky)]
+    #[arg(short, long, value_name = "SKY", default_value = "nebula", value_parser = OsStringValueParser::new().try_map(sky))]
     pub sky: SkySource,
     /// Bending table [default: the built-in atlas].
     #[arg(short, long, value_name = "FILE")]

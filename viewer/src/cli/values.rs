@@ -1,6 +1,7 @@
 //! Values that options take, from text; an error says what is expected.
 
-use std::path::PathBuf;
+use std::ffi::{OsStr, OsString};
+use std::path::{Path, PathBuf};
 use viewer::sky::SkySource;
 use viewer::stars::StarSource;
 use viewer::tone_map::EXPOSURES;
@@ -46,36 +47,45 @@ pub fn stops(text: &str) -> Result<f64, String> {
 }
 
 /// Where stars come from.
-pub fn stars(text: &str) -> Result<StarSource, String> {
-    let path = PathBuf::from(text);
-    if text == "hipparcos" {
+pub fn stars(name: OsString) -> Result<StarSource, String> {
+    if name == "hipparcos" {
         Ok(StarSource::Hipparcos)
-    } else if path.exists() {
-        Ok(StarSource::File(path))
+    } else if Path::new(&name).exists() {
+        Ok(StarSource::File(name.into()))
     } else {
         Err("is neither a file nor the built-in catalogue hipparcos".to_owned())
     }
 }
 
-/// Where a sky comes from.
-pub fn sky(text: &str) -> Result<SkySource, String> {
-    let files: Vec<PathBuf> = text.split(',').map(PathBuf::from).collect();
-    Ok(match text {
-        "nebula" => SkySource::Nebula,
-        "starmap" => SkySource::Starmap,
-        "grid" => SkySource::Grid,
-        "stars" => SkySource::Stars,
-        _ if files.len() == 1 && !files[0].exists() => {
-            return Err(
-                "is neither a file nor a built-in sky (nebula, starmap, grid, stars)".to_owned(),
-            );
-        }
-        _ if files.len() == 1 => SkySource::Panorama(PathBuf::from(text)),
-        _ => SkySource::Faces(<[PathBuf; 6]>::try_from(files).map_err(|files| {
-            format!(
-                "must be one panorama or six cube faces, not {} files",
-                files.len()
-            )
-        })?),
+/// Where a sky comes from. A file goes before six files: a name may have commas.
+pub fn sky(name: OsString) -> Result<SkySource, String> {
+    match name.to_str() {
+        Some("nebula") => return Ok(SkySource::Nebula),
+        Some("starmap") => return Ok(SkySource::Starmap),
+        Some("grid") => return Ok(SkySource::Grid),
+        Some("stars") => return Ok(SkySource::Stars),
+        _ if Path::new(&name).exists() => return Ok(SkySource::Panorama(name.into())),
+        _ => {}
+    }
+    let files = split_at_commas(&name);
+    if files.len() == 1 {
+        return Err(
+            "is neither a file nor a built-in sky (nebula, starmap, grid, stars)".to_owned(),
+        );
+    }
+    let faces = <[PathBuf; 6]>::try_from(files);
+    faces.map(SkySource::Faces).map_err(|files| {
+        format!(
+            "must be one panorama or six cube faces, not {} files",
+            files.len()
+        )
     })
+}
+
+/// The names of a list; one that is not UTF-8 is whole.
+fn split_at_commas(list: &OsStr) -> Vec<PathBuf> {
+    match list.to_str() {
+        Some(text) => text.split(',').map(PathBuf::from).collect(),
+        None => vec![PathBuf::from(list)],
+    }
 }

@@ -2,11 +2,10 @@
 
 use super::CommandError;
 use crate::cli::BenchArgs;
-use lensbake_report::{Outcome, Progress};
-use lensbake_tables::container::{existing_folder, write_whole};
+use lensbake_report::{Outcome, Printer, Progress, message};
 use lensbake_tables::default_atlas;
-use std::io::Write;
-use std::path::Path;
+use lensbake_tables::output::Output;
+use std::path::PathBuf;
 use std::time::Duration;
 use viewer::bench::{self, Effort, SIZES, report};
 use viewer::gpu::{Gpu, Renderer};
@@ -17,9 +16,10 @@ use viewer::stars::{StarField, hipparcos};
 const STEPS: f64 = 1000.0;
 
 pub fn run(args: &BenchArgs) -> Result<Outcome, CommandError> {
-    let files = [&args.csv, &args.json];
-    for file in files.into_iter().flatten() {
-        existing_folder(file).map_err(|error| CommandError::File(file.clone(), error))?;
+    let file = |path: &Option<PathBuf>| path.as_deref().map(Output::new).transpose();
+    let (csv, json) = (file(&args.csv)?, file(&args.json)?);
+    if let (Some(csv), Some(json)) = (&csv, &json) {
+        csv.is_apart(json, ["--csv", "--json"])?;
     }
     if !(args.seconds >= 0.0 && args.seconds <= 3600.0) {
         return Err(CommandError::Seconds(args.seconds));
@@ -37,20 +37,23 @@ pub fn run(args: &BenchArgs) -> Result<Outcome, CommandError> {
         progress.reach((part * STEPS) as u64);
     })?;
     progress.finish();
-    std::io::stdout()
-        .write_all(report::text(&bench).as_bytes())
-        .map_err(CommandError::Stdout)?;
-    let write = |file: &Path, text: String| {
-        write_whole(file, text.as_bytes())
-            .map_err(|error| CommandError::File(file.to_owned(), error))?;
-        eprintln!("wrote {}", file.display());
-        Ok::<_, CommandError>(())
-    };
-    if let Some(file) = &args.csv {
-        write(file, report::csv(&bench))?;
+    let data_on_stdout = [&csv, &json]
+        .into_iter()
+        .flatten()
+        .any(Output::is_standard_output);
+    let mut printer = Printer::new(data_on_stdout);
+    printer.print(&report::text(&bench));
+    let csv_written = csv.map_or(Ok(()), |file| write(&file, &report::csv(&bench)));
+    if let Some(file) = json {
+        write(&file, &report::json(&bench).map_err(CommandError::Json)?)?;
     }
-    if let Some(file) = &args.json {
-        write(file, report::json(&bench).map_err(CommandError::Json)?)?;
-    }
+    csv_written?;
+    printer.finish()?;
     Ok(Outcome::Done)
+}
+
+fn write(file: &Output, text: &str) -> Result<(), CommandError> {
+    file.write(text.as_bytes())?;
+    message!("wrote {}", file.path().display());
+    Ok(())
 }

@@ -2,20 +2,21 @@
 
 use super::CommandError;
 use crate::cli::CatalogueArgs;
-use lensbake_report::Outcome;
-use lensbake_tables::container::write_whole;
+use lensbake_report::{Outcome, message};
+use lensbake_tables::output::Output;
 use viewer::stars::{self, StarsError};
 
 pub fn run(args: &CatalogueArgs) -> Result<Outcome, CommandError> {
+    let output = Output::binary(&args.output)?;
+    output.spares(&args.raw)?;
     let raw = stars::read(&args.raw)?;
     let catalogue = stars::read_hipparcos(&raw).map_err(|problem| StarsError {
         path: args.raw.clone(),
         problem,
     })?;
     let bytes = stars::to_bytes(&catalogue);
-    write_whole(&args.output, &bytes)
-        .map_err(|error| CommandError::Folder(args.output.clone(), error))?;
-    eprintln!(
+    output.write(&bytes)?;
+    message!(
         "wrote {}: {} stars, {} bytes",
         args.output.display(),
         catalogue.stars().len(),

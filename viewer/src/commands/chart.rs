@@ -2,17 +2,20 @@
 
 use super::CommandError;
 use crate::cli::ChartArgs;
-use lensbake_report::{Outcome, Progress};
-use lensbake_tables::container::write_whole;
+use lensbake_report::{Outcome, Progress, drawing, message};
 use lensbake_tables::default_atlas;
-use std::fs;
+use lensbake_tables::output::OutputFolder;
 use viewer::camera::{Camera, View};
-use viewer::chart::{Effort, contenders, csv, figure, measure, steps};
+use viewer::chart::figure::ChartFigure;
+use viewer::chart::{Effort, contenders, csv, measure, steps};
 use viewer::gpu::{Gpu, Renderer};
 use viewer::scene::{Method, Scene};
 use viewer::sky::{self, SkySource};
 
 pub fn run(args: &ChartArgs) -> Result<Outcome, CommandError> {
+    let folder = OutputFolder::new(&args.output)?;
+    let [table, svg, png] = ["gpu.csv", "gpu.svg", "gpu.png"].map(|name| folder.file(name));
+    let (table, svg, png) = (table?, svg?, png?);
     let (effort, default_size) = if args.quick {
         (Effort::QUICK, (320, 180))
     } else {
@@ -31,20 +34,18 @@ pub fn run(args: &ChartArgs) -> Result<Outcome, CommandError> {
     let scene = Scene::new(camera, default_atlas(), Method::Lut)
         .map_err(viewer::chart::ChartError::Scene)?;
     let contenders = contenders(&scene).map_err(viewer::chart::ChartError::Scene)?;
-    let folder = |error| CommandError::Folder(args.output.clone(), error);
-    fs::create_dir_all(&args.output).map_err(folder)?;
-
     let progress = Progress::new("measuring", steps(effort, contenders.len()));
     let chart = measure(&gpu, &renderer, &scene, contenders, effort, || {
         progress.step();
     })?;
     progress.finish();
-    let file = |name| args.output.join(name);
-    write_whole(&file("gpu.csv"), csv::text(&chart).as_bytes()).map_err(folder)?;
-    figure::write(&chart, &file("gpu.svg"), &file("gpu.png"))?;
-    eprintln!("measured on {}", chart.adapter);
-    for name in ["gpu.csv", "gpu.svg", "gpu.png"] {
-        eprintln!("wrote {}", file(name).display());
+    table.write(csv::text(&chart).as_bytes())?;
+    let figure = ChartFigure(&chart);
+    svg.write(drawing::svg(&figure)?.as_bytes())?;
+    png.write(&drawing::png(&figure)?)?;
+    message!("measured on {}", chart.adapter);
+    for file in [table, svg, png] {
+        message!("wrote {}", file.path().display());
     }
     Ok(Outcome::Done)
 }

@@ -1,33 +1,34 @@
 //! `viewer diff`: lookup against direct integration on the device at hand, and both against the closed
 //! form on the CPU.
 
-use super::{CommandError, gpu, least, scene};
+use super::{CommandError, gpu_for, least, scene, spare_inputs};
 use crate::cli::DiffArgs;
 use glam::DVec3;
 use lensbake_core::Fate;
-use lensbake_report::{Outcome, Progress};
-use std::io::{self, Write};
+use lensbake_report::{Outcome, Printer, Progress, message};
+use lensbake_tables::output::Output;
 use viewer::cpu;
 use viewer::diff::{PictureDifference, Reference, TraceStatistics};
 use viewer::gpu::Renderer;
 use viewer::heat_map;
-use viewer::picture::Picture;
+use viewer::picture::{Picture, PictureFormat};
 use viewer::scene::{Method, Scene};
 use viewer::sky::{self, Sky};
 
 pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
     least::check_budget(args.budget_px)?;
-    Picture::check_path(&args.output)?;
+    let output = heat_map_file(args)?;
     let step = args.scene.view.step;
     let direct = scene(&args.scene, Method::Direct { step })?;
     let mut lut = direct.by(Method::Lut);
     let sky = sky::load(&args.scene.view.sky)?;
-    let gpu = gpu(args.scene.device)?;
+    let gpu = gpu_for(args.scene.device, &lut.camera)?;
+    let mut printer = Printer::new(false);
     let reference = with_progress(&lut, |progress| Reference::new(&lut, || progress.step()));
     if args.explain || args.least {
         let choice = least::choice(&lut, args.budget_px, gpu.as_ref())?;
         if args.explain {
-            least::print(&choice, &lut, step)?;
+            least::print(&choice, &lut, step, &mut printer);
         }
         if args.least {
             lut = least::scene_of(choice, &lut);
@@ -46,9 +47,10 @@ pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
     };
     let apart = reference.errors(&lut.trace, &direct.trace);
     let title = format!("lookup against direct integration on {device}");
-    heat_map::write(&args.output, lut.picture.width(), &apart, &title)?;
-    eprintln!("wrote {}", args.output.display());
-
+    // What fails of heat map and report keeps nothing of the rest from the user.
+    let written = heat_map::png(lut.picture.width(), &apart, &title)
+        .map_err(CommandError::from)
+        .and_then(|bytes| Ok(output.write(&bytes)?));
     let closed = reference.trace();
     let rows = [
         (
@@ -61,41 +63,65 @@ pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
         ),
         ("lookup - direct", apart),
     ];
-    let mut text = format!(
-        "{device}: {} x {} pixels, {} degrees across, r = {}, direct steps of {step} rad\n",
+    let statistics = rows.map(|(what, errors)| (what, TraceStatistics::of(&errors)));
+    printer.print(&format!(
+        "{device}: {} x {} pixels, {} degrees across, r = {}, direct steps of {step} rad\n{}{}",
         lut.picture.width(),
         lut.picture.height(),
         args.scene.view.fov,
         args.scene.view.radius,
-    );
-    let mut missed = false;
-    for (index, (what, errors)) in rows.iter().enumerate() {
-        let Some(statistics) = TraceStatistics::of(errors) else {
-            text += &format!("{what:21} no pixel sees the sky: the shadow fills the picture\n");
-            continue;
-        };
-        text += &format!(
-            "{what:21} rad  {}\n{:21} px   {}   other fate: {} pixels\n",
-            statistics.radians, "", statistics.pixels, statistics.other_fates
-        );
-        missed |= index == 0 && statistics.pixels.max > args.budget_px;
+        statistics.iter().map(line).collect::<String>(),
+        pictures_line(&PictureDifference::of(&lut.picture, &direct.picture)),
+    ));
+    written?;
+    message!("wrote {}", args.output.display());
+    printer.finish()?;
+    Ok(outcome(&statistics, args.budget_px))
+}
+
+/// The file of the heat map, which is none of the files that the scene is read from.
+fn heat_map_file(args: &DiffArgs) -> Result<Output, CommandError> {
+    PictureFormat::of(&args.output, &[PictureFormat::Png])?;
+    let output = Output::new(&args.output)?;
+    if output.is_standard_output() {
+        return Err(CommandError::ReportTakesOutput("--output"));
     }
-    let picture = PictureDifference::of(&lut.picture, &direct.picture);
-    text += &format!(
+    spare_inputs(&output, &args.scene.view, None)?;
+    Ok(output)
+}
+
+/// A difference and what it comes to; none if no pixel sees the sky.
+type Difference = (&'static str, Option<TraceStatistics>);
+
+fn line((what, statistics): &Difference) -> String {
+    let Some(statistics) = statistics else {
+        return format!("{what:21} no pixel sees the sky: the shadow fills the picture\n");
+    };
+    let no_value = match statistics.no_value {
+        0 => String::new(),
+        count => format!("   no value: {count} pixels"),
+    };
+    format!(
+        "{what:21} rad  {}\n{:21} px   {}   other fate: {} pixels{no_value}\n",
+        statistics.radians, "", statistics.pixels, statistics.other_fates
+    )
+}
+
+fn pictures_line(difference: &PictureDifference) -> String {
+    format!(
         "pictures of lookup and direct, 8 bits a channel: max {}, mean {:.2e}, {} pixels off by more than 2\n",
-        picture.max, picture.mean, picture.over_two
-    );
-    io::stdout()
-        .write_all(text.as_bytes())
-        .map_err(CommandError::Stdout)?;
-    if missed {
-        eprintln!(
-            "viewer: the lookup's error is above the budget of {} px",
-            args.budget_px
-        );
-        return Ok(Outcome::Missed);
+        difference.max, difference.mean, difference.over_two
+    )
+}
+
+/// Whether the lookup keeps its budget against the closed form, the first of the differences.
+fn outcome(statistics: &[Difference], budget_px: f64) -> Outcome {
+    match statistics.first().and_then(|(_, statistics)| *statistics) {
+        Some(statistics) if statistics.pixels.max <= budget_px => return Outcome::Done,
+        Some(_) => message!("viewer: the lookup's error is above the budget of {budget_px} px"),
+        None => message!("viewer: no pixel sees the sky, so that no error was measured"),
     }
-    Ok(Outcome::Done)
+    Outcome::Missed
 }
 
 /// A scene drawn one way.

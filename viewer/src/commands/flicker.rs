@@ -1,40 +1,41 @@
 //! `viewer flicker`: the light of stars in an orbit, frame by frame, against the analytic curve.
 
-use super::{CommandError, gpu, print};
+use super::{CommandError, gpu};
 use crate::cli::FlickerArgs;
-use lensbake_report::{Outcome, Progress};
-use lensbake_tables::container::write_whole;
-use std::fs;
+use lensbake_report::{Outcome, Printer, Progress, drawing, message};
+use lensbake_tables::output::OutputFolder;
 use viewer::camera::View;
+use viewer::flicker::figure::Panels;
 use viewer::flicker::{
-    Orbit, Subject, Track, choose, closer_look, csv, figure, follow, point_on_gpu, report,
+    Orbit, Subject, Track, choose, closer_look, csv, follow, point_on_gpu, report,
 };
 use viewer::gpu::Gpu;
 use viewer::scene::Scene;
 use viewer::stars;
 
 pub fn run(args: &FlickerArgs) -> Result<Outcome, CommandError> {
-    let folder = |error| CommandError::Folder(args.output.clone(), error);
+    let folder = OutputFolder::new(&args.output)?;
+    let (table, picture) = (folder.file("flicker.csv")?, folder.file("flicker.png")?);
+    let mut printer = Printer::new(false);
     let scenes = orbit(args).scenes()?;
     let subjects = subjects(&scenes, args.stars)?;
     let gpu = gpu(args.device)?;
-    fs::create_dir_all(&args.output).map_err(folder)?;
-    let mut tracks = follow_all(subjects, &scenes)?;
+    let mut tracks = follow_all(subjects, &scenes, &mut printer)?;
     let closer = closer_look(&tracks);
     if let Some(gpu) = &gpu {
         for &star in &closer {
-            draw_again(gpu, &scenes, &mut tracks[star])?;
+            draw_again(gpu, &scenes, &mut tracks[star], &mut printer)?;
         }
     }
-    let table: String = tracks.iter().map(csv::line).collect();
-    let table = csv::HEAD.to_owned() + &table;
-    write_whole(&args.output.join("flicker.csv"), table.as_bytes()).map_err(folder)?;
+    let lines: String = tracks.iter().map(csv::line).collect();
+    table.write((csv::HEAD.to_owned() + &lines).as_bytes())?;
     let shown: Vec<&Track> = closer.iter().map(|&star| &tracks[star]).collect();
-    figure::write(&args.output.join("flicker.png"), &shown)?;
-    eprintln!("wrote {}", args.output.display());
+    picture.write(&drawing::png(&Panels(&shown))?)?;
+    message!("wrote {}", folder.path().display());
+    printer.finish()?;
     let missed = tracks.iter().filter(|track| !track.is_good()).count();
     if missed > 0 {
-        eprintln!("viewer: {missed} of {} stars flicker", tracks.len());
+        message!("viewer: {missed} of {} stars flicker", tracks.len());
         return Ok(Outcome::Missed);
     }
     Ok(Outcome::Done)
@@ -63,22 +64,32 @@ fn subjects(scenes: &[Scene], count: u32) -> Result<Vec<Subject>, CommandError> 
 }
 
 /// Follows the stars one by one, each printed when it is known.
-fn follow_all(subjects: Vec<Subject>, scenes: &[Scene]) -> Result<Vec<Track>, CommandError> {
-    print(&report::head())?;
+fn follow_all(
+    subjects: Vec<Subject>,
+    scenes: &[Scene],
+    printer: &mut Printer,
+) -> Result<Vec<Track>, CommandError> {
+    printer.print(&report::head());
     let mut tracks = Vec::with_capacity(subjects.len());
     for subject in subjects {
         let progress = Progress::new("following", scenes.len() as u64);
         let track = follow(subject, scenes, || progress.step())?;
         progress.finish();
-        print(&report::line(&track))?;
+        printer.print(&report::line(&track));
         tracks.push(track);
     }
     Ok(tracks)
 }
 
-fn draw_again(gpu: &Gpu, scenes: &[Scene], track: &mut Track) -> Result<(), CommandError> {
+fn draw_again(
+    gpu: &Gpu,
+    scenes: &[Scene],
+    track: &mut Track,
+    printer: &mut Printer,
+) -> Result<(), CommandError> {
     let progress = Progress::new("on the GPU", track.frames.len() as u64);
     track.on_gpu = Some(point_on_gpu(gpu, scenes, track, || progress.step())?);
     progress.finish();
-    print(&report::gpu_line(track, &gpu.name()))
+    printer.print(&report::gpu_line(track, &gpu.name()));
+    Ok(())
 }

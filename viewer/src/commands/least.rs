@@ -1,7 +1,7 @@
 //! The least model, as the commands ask for it.
 
 use super::CommandError;
-use std::io::{self, Write};
+use lensbake_report::{Printer, message};
 use std::time::Instant;
 use viewer::gpu::Gpu;
 use viewer::model::{Choice, Precision, choose, explain};
@@ -19,15 +19,13 @@ pub fn choice(scene: &Scene, budget_px: f64, gpu: Option<&Gpu>) -> Result<Choice
         problem,
     })?;
     let ms = 1e3 * started.elapsed().as_secs_f64();
-    eprintln!("least model chosen in {ms:.1} ms");
+    message!("least model chosen in {ms:.1} ms");
     Ok(choice)
 }
 
-/// Explains `choice` on standard output.
-pub fn print(choice: &Choice, scene: &Scene, step: f64) -> Result<(), CommandError> {
-    io::stdout()
-        .write_all(explain(choice, scene, step).as_bytes())
-        .map_err(CommandError::Stdout)
+/// Explains `choice`.
+pub fn print(choice: &Choice, scene: &Scene, step: f64, printer: &mut Printer) {
+    printer.print(&explain(choice, scene, step));
 }
 
 /// The scene to draw: by the chosen model, or with a line of warning by the whole row.
@@ -40,7 +38,7 @@ pub fn scene_of(choice: Choice, whole: &Scene) -> Scene {
             } else {
                 ""
             };
-            eprintln!(
+            message!(
                 "viewer: no model keeps the error within {} px here{advice}; drawing with the whole row",
                 choice.budget_px
             );

@@ -12,9 +12,11 @@ pub mod window;
 
 use crate::cli::{DeviceName, SceneArgs, StarArgs, ViewArgs};
 use lensbake_core::CoreError;
+use lensbake_report::drawing::DrawError;
+use lensbake_report::{PrintError, message};
+use lensbake_tables::output::{Output, OutputError};
 use lensbake_tables::{ContainerError, Table, container, default_atlas};
 use std::borrow::Cow;
-use std::io::{self, Write};
 use std::path::PathBuf;
 use thiserror::Error;
 use viewer::bench::BenchError;
@@ -22,6 +24,7 @@ use viewer::camera::{Camera, CameraError};
 use viewer::chart::ChartError;
 use viewer::flicker::FlickerError;
 use viewer::gpu::{Gpu, GpuError};
+use viewer::model::Precision;
 use viewer::picture::PictureError;
 use viewer::reference::StudyError;
 use viewer::scene::{Method, Scene, SceneError};
@@ -80,32 +83,44 @@ pub enum CommandError {
     #[error(transparent)]
     Bench(#[from] BenchError),
     /// A file to write.
-    #[error("{}: {_1}", _0.display())]
-    File(PathBuf, io::Error),
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// A figure.
+    #[error(transparent)]
+    Draw(#[from] DrawError),
     /// Figures that do not go into JSON.
     #[error("JSON: {0}")]
     Json(serde_json::Error),
     /// A length of time that is none.
     #[error("--seconds {0} is not from 0 to 3600")]
     Seconds(f64),
-    /// A folder to write to.
-    #[error("{}: {_1}", _0.display())]
-    Folder(PathBuf, io::Error),
     /// A budget that is none.
     #[error("--budget-px {0} is not a positive number of pixels")]
     Budget(f64),
     /// Standard output.
-    #[error("standard output: {0}")]
-    Stdout(io::Error),
+    #[error(transparent)]
+    Print(#[from] PrintError),
+    /// The report and the data would be mixed.
+    #[error("{0} - would mix the picture with the report on standard output; name a file")]
+    ReportTakesOutput(&'static str),
 }
 
-/// To standard output, as soon as it is known.
-fn print(text: &str) -> Result<(), CommandError> {
-    let mut stdout = io::stdout();
-    stdout
-        .write_all(text.as_bytes())
-        .and_then(|()| stdout.flush())
-        .map_err(CommandError::Stdout)
+/// Checks that `output` goes over none of the files that `view` and `stars` are read from.
+fn spare_inputs(
+    output: &Output,
+    view: &ViewArgs,
+    stars: Option<&StarSource>,
+) -> Result<(), OutputError> {
+    let table = view.table.iter().map(PathBuf::as_path);
+    let sky = view.sky.files().iter().map(PathBuf::as_path);
+    let stars = match stars {
+        Some(StarSource::File(path)) => Some(path.as_path()),
+        Some(StarSource::Hipparcos) | None => None,
+    };
+    table
+        .chain(sky)
+        .chain(stars)
+        .try_for_each(|input| output.spares(input))
 }
 
 /// The scene that the arguments describe.
@@ -159,9 +174,35 @@ fn gpu(device: DeviceName) -> Result<Option<Gpu>, GpuError> {
         DeviceName::Auto => match Gpu::open() {
             Ok(gpu) => Ok(Some(gpu)),
             Err(error) => {
-                eprintln!("viewer: drawing on the CPU: {error}");
+                message!("viewer: drawing on the CPU: {error}");
                 Ok(None)
             }
         },
     }
+}
+
+/// Rounding of 32-bit floats that may be seen, pixels.
+const VISIBLE_ROUNDING_PX: f64 = 0.5;
+
+/// The GPU to draw the picture of `camera` on, or `None` for the CPU. Where the pixels are so narrow that
+/// the GPU's 32-bit floats cannot tell them apart, `auto` is the CPU, and `gpu` says how far off it may be.
+fn gpu_for(device: DeviceName, camera: &Camera) -> Result<Option<Gpu>, GpuError> {
+    let off = Precision::F32.rounding_px(camera);
+    if off > VISIBLE_ROUNDING_PX {
+        match device {
+            DeviceName::Cpu => {}
+            DeviceName::Gpu => message!(
+                "viewer: the 32-bit floats of a GPU may be off by {off:.1} pixels in so narrow a field of \
+                 view; --device cpu draws it in 64 bits"
+            ),
+            DeviceName::Auto => {
+                message!(
+                    "viewer: drawing on the CPU: the 32-bit floats of a GPU would be off by up to {off:.1} \
+                     pixels in so narrow a field of view"
+                );
+                return Ok(None);
+            }
+        }
+    }
+    gpu(device)
 }

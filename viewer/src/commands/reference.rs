@@ -1,10 +1,9 @@
 //! `viewer reference`: the filtered picture against many rays a pixel by direct integration.
 
-use super::{CommandError, print};
+use super::CommandError;
 use crate::cli::ReferenceArgs;
-use lensbake_report::{Outcome, Progress};
-use lensbake_tables::container::write_whole;
-use std::fs;
+use lensbake_report::{Outcome, Printer, Progress, message};
+use lensbake_tables::output::OutputFolder;
 use viewer::gpu::{Gpu, Renderer};
 use viewer::reference::{cases, cost, csv, figure, study};
 use viewer::sky::{self, SkySource};
@@ -16,17 +15,19 @@ const SKIES: [(&str, SkySource); 3] = [
 ];
 
 pub fn run(args: &ReferenceArgs) -> Result<Outcome, CommandError> {
-    let folder = |error| CommandError::Folder(args.output.clone(), error);
     let (width, height) = args.size;
     let gpu = Gpu::open()?;
     if args.cost {
         return print_costs(&gpu);
     }
-    fs::create_dir_all(&args.output).map_err(folder)?;
-    print(csv::HEAD)?;
+    let folder = OutputFolder::new(&args.output)?;
+    let file = folder.file("filter.csv")?;
+    let mut printer = Printer::new(false);
+    printer.print(csv::HEAD);
     let mut table = csv::HEAD.to_owned();
     let mut outcome = Outcome::Done;
     for (name, source) in SKIES {
+        let picture = folder.file(&format!("{name}.png"))?;
         let renderer = Renderer::new(&gpu, &sky::load(&source)?)?;
         let mut studies = Vec::new();
         for case in cases(width, height) {
@@ -36,10 +37,10 @@ pub fn run(args: &ReferenceArgs) -> Result<Outcome, CommandError> {
             })?;
             progress.finish();
             let lines = csv::lines(name, &found);
-            print(&lines)?;
+            printer.print(&lines);
             table += &lines;
             if !found.is_good() {
-                eprintln!(
+                message!(
                     "viewer: the filtered {name} at {} misses its bar",
                     found.case.name
                 );
@@ -47,24 +48,27 @@ pub fn run(args: &ReferenceArgs) -> Result<Outcome, CommandError> {
             }
             studies.push(found);
         }
-        figure::write(&args.output.join(format!("{name}.png")), &studies)?;
+        picture.write(&figure::png(&studies)?)?;
     }
-    write_whole(&args.output.join("filter.csv"), table.as_bytes()).map_err(folder)?;
-    eprintln!(
+    file.write(table.as_bytes())?;
+    message!(
         "measured on {}; wrote {}",
         gpu.name(),
-        args.output.display()
+        folder.path().display()
     );
+    printer.finish()?;
     Ok(outcome)
 }
 
 /// The cost at the radius of the default view, and at those of the seed report.
 fn print_costs(gpu: &Gpu) -> Result<Outcome, CommandError> {
     let renderer = Renderer::new(gpu, &sky::load(&SkySource::Nebula)?)?;
+    let mut printer = Printer::new(false);
     for radius in [25.0, 50.0, 10.0, 5.0, 2.0] {
         let cost = cost(&renderer, radius, (1920, 1080))?;
-        print(&format!("{cost}\n"))?;
+        printer.print(&format!("{cost}\n"));
     }
-    eprintln!("measured on {}", gpu.name());
+    printer.finish()?;
+    message!("measured on {}", gpu.name());
     Ok(Outcome::Done)
 }

@@ -1,20 +1,21 @@
 //! `viewer render`: a picture to a file.
 
-use super::{CommandError, gpu, least, scene, star_field};
-use crate::cli::{MethodName, RenderArgs, SamplingName};
-use lensbake_report::{Outcome, Progress};
+use super::{CommandError, gpu_for, least, scene, spare_inputs, star_field};
+use crate::cli::{MethodName, RenderArgs, SamplingName, ViewArgs};
+use lensbake_report::{Outcome, Printer, Progress, message};
+use lensbake_tables::output::Output;
+use std::path::Path;
 use std::time::Instant;
 use viewer::cpu;
 use viewer::filtered::Pixels;
 use viewer::gpu::{Gpu, Renderer};
 use viewer::model::DEFAULT_BUDGET_PX;
-use viewer::picture::Picture;
+use viewer::picture::{Picture, PictureFormat, WithoutValue};
 use viewer::scene::{Method, Sampling, Scene};
 use viewer::sky::{self, Sky};
-use viewer::stars::{self, StarField};
+use viewer::stars::{self, StarField, StarSource};
 
 pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
-    Picture::check_path(&args.output)?;
     let method = match args.method {
         MethodName::Lut => Method::Lut,
         MethodName::Direct => Method::Direct {
@@ -28,15 +29,17 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
         SamplingName::Single => Sampling::Single,
         SamplingName::Filtered => Sampling::Filtered,
     };
+    let file = PictureFile::new(&args.output, &args.scene.view, args.stars.stars.as_ref())?;
     let mut scene = scene(&args.scene, method)?.sampled(sampling);
     let sky = sky::load(&args.scene.view.sky)?;
     let stars = star_field(&args.stars, &args.scene.view.sky)?;
-    let gpu = gpu(args.scene.device)?;
+    let gpu = gpu_for(args.scene.device, &scene.camera)?;
+    let mut printer = Printer::new(file.output.is_standard_output());
     let mut outcome = Outcome::Done;
     if args.explain || args.budget_px.is_some() {
         let choice = least::choice(&scene, budget_px, gpu.as_ref())?;
         if args.explain {
-            least::print(&choice, &scene, args.scene.view.step)?;
+            least::print(&choice, &scene, args.scene.view.step, &mut printer);
         }
         if args.budget_px.is_some() {
             if choice.chosen.is_none() {
@@ -50,17 +53,57 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
         Some(gpu) => on_gpu(gpu, &scene, &sky, stars.as_ref())?,
         None => on_cpu(&scene, &sky, stars.as_ref())?,
     };
+    let seconds = started.elapsed().as_secs_f64();
+    file.write(&picture, args.exposure)?;
     let device = gpu.map_or("the CPU".into(), |gpu| gpu.name());
-    eprintln!(
-        "drawn on {device} in {:.3} s",
-        started.elapsed().as_secs_f64()
-    );
+    message!("drawn on {device} in {seconds:.3} s");
     if scene.sampling == Sampling::Filtered {
-        eprintln!("{}", extra_rays(&scene));
+        message!("{}", extra_rays(&scene));
     }
-    picture.write(&args.output, args.exposure)?;
-    eprintln!("wrote {}", args.output.display());
+    message!("wrote {}", args.output.display());
+    if let Some(lost) = picture.without_value() {
+        say_lost(lost, &picture, scene.method);
+        outcome = Outcome::Missed;
+    }
+    printer.finish()?;
     Ok(outcome)
+}
+
+/// The file of a picture, checked before the work.
+struct PictureFile {
+    format: PictureFormat,
+    output: Output,
+}
+
+impl PictureFile {
+    /// `path`, which is none of the files that `view` and `stars` are read from.
+    fn new(path: &Path, view: &ViewArgs, stars: Option<&StarSource>) -> Result<Self, CommandError> {
+        let format = PictureFormat::of(path, PictureFormat::ALL)?;
+        let output = Output::binary(path)?;
+        spare_inputs(&output, view, stars)?;
+        Ok(PictureFile { format, output })
+    }
+
+    fn write(&self, picture: &Picture, exposure: f32) -> Result<(), CommandError> {
+        let bytes = picture.encode(self.format, exposure)?;
+        Ok(self.output.write(&bytes)?)
+    }
+}
+
+/// Says which pixels are black because their light could not be computed.
+fn say_lost(lost: WithoutValue, picture: &Picture, method: Method) {
+    let WithoutValue { count, first } = lost;
+    let advice = match method {
+        Method::Direct { .. } => "; try a shorter --step",
+        Method::Lut | Method::Flat => "",
+    };
+    message!(
+        "viewer: the light of {count} of {} pixels could not be computed, and they are black; the first is \
+         in column {}, row {}{advice}",
+        picture.pixels().len(),
+        first.0,
+        first.1,
+    );
 }
 
 /// What the pixels beside the shadow's edge cost.

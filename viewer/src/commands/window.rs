@@ -1,8 +1,10 @@
-//! `viewer`: the window.
+//! `viewer`: the window, or the picture that it would show where there can be none.
 
-use super::{CommandError, stars_of, table};
-use crate::cli::WindowArgs;
-use lensbake_report::Outcome;
+use super::{CommandError, render, stars_of, table};
+use crate::cli::{
+    DeviceName, MethodName, PICTURE, RenderArgs, SamplingName, SceneArgs, WindowArgs,
+};
+use lensbake_report::{Outcome, message};
 use viewer::scene::Method;
 use viewer::stars::StarSource;
 use viewer::window::{self, Options};
@@ -17,7 +19,7 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
     let source = args.stars.stars.clone();
     let stars = stars_of(&args.stars, &source.unwrap_or(StarSource::Hipparcos))?;
     let (table, table_name) = table(&args.view)?;
-    window::run(Options {
+    let ended = window::run(Options {
         view: args.view.view(args.size),
         step,
         sky: args.view.sky.clone(),
@@ -26,6 +28,32 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
         table: table.into_owned(),
         table_name,
         fullscreen: args.fullscreen,
-    })?;
-    Ok(Outcome::Done)
+    });
+    match ended {
+        Err(error) if error.is_no_window() => {
+            message!(
+                "viewer: no window can be opened here ({error}); drawing to {PICTURE} instead"
+            );
+            render::run(&instead(args))
+        }
+        ended => Ok(ended.map(|()| Outcome::Done)?),
+    }
+}
+
+/// The picture of what the window would show first.
+fn instead(args: &WindowArgs) -> RenderArgs {
+    RenderArgs {
+        output: PICTURE.into(),
+        method: MethodName::Lut,
+        sampling: SamplingName::Filtered,
+        exposure: 0.0,
+        budget_px: None,
+        explain: false,
+        scene: SceneArgs {
+            size: args.size,
+            device: DeviceName::Auto,
+            view: args.view.clone(),
+        },
+        stars: args.stars.clone(),
+    }
 }

@@ -1,15 +1,12 @@
 //! The figure: light found over light expected, frame by frame, of a few stars.
 
 use super::{Frame, Track};
-use crate::picture::PictureError;
-use lensbake_report::drawing::{self, Area, Figure, Ink, text};
-use lensbake_tables::container::write_whole;
+use lensbake_report::drawing::{Area, Figure, Ink, text};
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;
 use std::f64::consts::TAU;
-use std::path::Path;
 
 const WIDTH: u32 = 1600;
 /// Heights of the title with the legend, of the panel of a star, and of the name of the x axis, pixels.
@@ -56,16 +53,9 @@ const CURVES: [Curve; 3] = [
     },
 ];
 
-/// Writes the figure of some stars as PNG, whole or not at all.
-///
-/// # Errors
-/// [`PictureError`] names the file and what is wrong.
-pub fn write(path: &Path, tracks: &[&Track]) -> Result<(), PictureError> {
-    let bytes = drawing::png(&Panels(tracks)).map_err(|e| PictureError::new(path, e))?;
-    write_whole(path, &bytes).map_err(|e| PictureError::new(path, e))
-}
-
-struct Panels<'a>(&'a [&'a Track]);
+/// The figure of some stars, a panel each.
+#[derive(Debug)]
+pub struct Panels<'a>(pub &'a [&'a Track]);
 
 impl Figure for Panels<'_> {
     fn size(&self) -> (u32, u32) {

@@ -25,7 +25,7 @@ pub struct Frame {
     forward: [f32; 3],
     gain: f32,
     sky_x: [f32; 3],
-    padding: f32,
+    away_slope: f32,
     sky_y: [f32; 3],
     half_edge_cos: f32,
     sky_z: [f32; 3],
@@ -36,7 +36,7 @@ pub struct Frame {
     count: [u32; 2],
     lists: u32,
     blocks: u32,
-    padding_2: [u32; 2],
+    padding: [u32; 2],
 }
 
 impl Frame {
@@ -52,7 +52,7 @@ impl Frame {
             forward: vector(camera.forward),
             gain,
             sky_x: vector(camera.sky_from_hole.x_axis),
-            padding: 0.0,
+            away_slope: edge.away_slope,
             sky_y: vector(camera.sky_from_hole.y_axis),
             half_edge_cos: 0.0,
             sky_z: vector(camera.sky_from_hole.z_axis),
@@ -63,7 +63,7 @@ impl Frame {
             count: tile.count,
             lists: 0,
             blocks: 0,
-            padding_2: [0; 2],
+            padding: [0; 2],
         }
     }
 
@@ -126,6 +126,7 @@ mod tests {
             lapse,
             forward,
             sky_x,
+            away_slope,
             gain,
             sky_y,
             half_edge_cos,

@@ -140,7 +140,7 @@ pub(super) fn sort_source(method: Method, texels: u32, interpolation: Interpolat
 const DEFLECT_DIRECT_WITH_SLOPE: &str = "
 fn deflect(c: f32, p: f32) -> Turned {
     var turned = deflect_direct(c, p);
-    turned.slope = bending(c, p, Edge(frame.edge.x, frame.edge.y)).slope;
+    turned.slope = bending(c, p, Edge(frame.edge.x, frame.edge.y, frame.away_slope)).slope;
     return turned;
 }
 ";

@@ -5,6 +5,7 @@
 //! which those are not all, pursued from the worst of them to the worst pixel near by.
 
 use super::samples;
+use crate::camera::Camera;
 use crate::diff::ReferencePixel;
 use crate::scene::Scene;
 use rayon::prelude::*;
@@ -26,6 +27,11 @@ impl Precision {
             Precision::F64 => 0.0,
             Precision::F32 => ULPS * 0.5 * f64::from(f32::EPSILON),
         }
+    }
+
+    /// By how much rounding moves the middle of the picture of `camera`, in its pixels.
+    pub fn rounding_px(self, camera: &Camera) -> f64 {
+        self.rounding() / camera.right.length()
     }
 }
 

@@ -1,11 +1,10 @@
 //! The figure: reference, filtered and single-sampled picture side by side at the shadow's edge.
 
 use super::{Entry, Study};
-use crate::picture::{Picture, PictureError, write_png};
+use crate::picture::{Picture, encode_png};
 use glam::DVec3;
-use lensbake_report::drawing::{self, text};
+use lensbake_report::drawing::{self, DrawError, text};
 use plotters::prelude::*;
-use std::path::Path;
 
 /// Size of a crop in pixels of the picture, and how large each is drawn.
 const CROP: [u32; 2] = [128, 72];
@@ -15,11 +14,11 @@ const GAP: u32 = 12;
 const LINE: u32 = 30;
 const COLUMNS: u32 = 3;
 
-/// Writes the figure of some studies as PNG, whole or not at all.
+/// The figure of some studies as a PNG file.
 ///
 /// # Errors
-/// [`PictureError`] names the file and what is wrong.
-pub fn write(path: &Path, studies: &[Study]) -> Result<(), PictureError> {
+/// [`DrawError`] if it can't be drawn.
+pub fn png(studies: &[Study]) -> Result<Vec<u8>, DrawError> {
     let width = GAP + COLUMNS * (CROP[0] * ZOOM + GAP);
     let height = studies.len() as u32 * (LINE + CROP[1] * ZOOM) + GAP;
     let mut canvas = vec![[255_u8; 3]; (width * height) as usize];
@@ -36,8 +35,8 @@ pub fn write(path: &Path, studies: &[Study]) -> Result<(), PictureError> {
         }
     }
     let bytes: &mut [u8] = bytemuck::cast_slice_mut(&mut canvas);
-    draw_text(bytes, (width, height), studies).map_err(|e| PictureError::new(path, e))?;
-    write_png(path, width, height, bytes)
+    draw_text(bytes, (width, height), studies)?;
+    encode_png(width, height, bytes).map_err(DrawError::new)
 }
 
 /// The upper left corner of the crop: about the edge, to the right of the hole and a little above.

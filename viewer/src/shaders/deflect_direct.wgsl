@@ -45,16 +45,19 @@ fn deflect_direct(c: f32, p: f32) -> Turned {
     if y.y > PLUNGE {
         return Turned(CAPTURED, 0.0, 0.0, 0.0);
     }
+    // Almost straight away from the hole the first step goes far beyond infinity, where the equation is
+    // unbounded: it may return any number, and is not looked at.
+    let at_once = -y.y * STEP > 2.0 * y.x;
     let limit = u32(LONGEST_WAY / STEP);
     for (var i = 0u; i < limit; i++) {
         let next = step_phi(y, STEP);
-        if next.x >= 1.0 {
-            return Turned(CAPTURED, 0.0, 0.0, 0.0);
-        }
-        if next.x <= 0.0 {
+        if at_once || next.x <= 0.0 {
             // φ_∞ = π − θ′.
             let phi = cos_sin(f32(i) * STEP + land(y));
             return Turned(ESCAPES, -phi.x, phi.y, 0.0);
+        }
+        if next.x >= 1.0 {
+            return Turned(CAPTURED, 0.0, 0.0, 0.0);
         }
         y = next;
     }

@@ -10,14 +10,15 @@ struct Frame {
     // View direction of the picture's middle. A difference is amplified by gain.
     forward: vec3<f32>,
     gain: f32,
-    // Columns of the rotation from the hole frame to the sky frame.
+    // Columns of the rotation from the hole frame to the sky frame, and the third member of Edge.
     sky_x: vec3<f32>,
+    away_slope: f32,
     sky_y: vec3<f32>,
     // cos and sin of half the angle of the shadow's edge as the method draws it.
     half_edge_cos: f32,
     sky_z: vec3<f32>,
     half_edge_sin: f32,
-    // tan(θ_c/2) and (5/18) cos θ_c: the members of Edge.
+    // tan(θ_c/2) and (5/18) cos θ_c: the first members of Edge.
     edge: vec2<f32>,
     // Width and height of the picture, pixels.
     size: vec2<u32>,

@@ -48,7 +48,7 @@ fn sees_sky(pixel: vec2<u32>) -> f32 {
     if FIT == ENLARGED_SPHERE {
         outwards = select(10.0, (p - frame.u) / max(frame.lapse, 1e-6), c > 0.0);
     } else {
-        let x = edge_coordinate(c, p, Edge(frame.edge.x, frame.edge.y));
+        let x = edge_coordinate(c, p, Edge(frame.edge.x, frame.edge.y, frame.away_slope));
         outwards = (1.0 - x) * p / max(x, 1e-6);
     }
     // How much the angle from the hole grows from pixel to pixel.

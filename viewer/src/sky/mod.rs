@@ -57,6 +57,15 @@ impl SkySource {
         )
     }
 
+    /// The files that it is read from.
+    pub fn files(&self) -> &[PathBuf] {
+        match self {
+            SkySource::Panorama(path) => std::slice::from_ref(path),
+            SkySource::Faces(paths) => paths,
+            SkySource::Nebula | SkySource::Starmap | SkySource::Grid | SkySource::Stars => &[],
+        }
+    }
+
     /// Its name: a built-in one's, or that of the (first) file.
     pub fn name(&self) -> String {
         let file = |path: &PathBuf| {

@@ -32,7 +32,7 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 pub enum WindowError {
     /// There is no screen.
-    #[error("no window can be opened here ({0}); `viewer render` draws without one")]
+    #[error("{0}")]
     NoScreen(String),
     /// The window system failed.
     #[error("the window failed: {0}")]
@@ -54,6 +54,18 @@ pub enum WindowError {
 }
 
 impl WindowError {
+    /// Whether there can be no window on this machine, whatever it should show: a picture can still be drawn
+    /// without one.
+    pub fn is_no_window(&self) -> bool {
+        matches!(
+            self,
+            WindowError::NoScreen(_)
+                | WindowError::Gpu(
+                    GpuError::NoAdapter | GpuError::NoDevice { .. } | GpuError::NoSurface(_)
+                )
+        )
+    }
+
     /// Of what the window system says, without the place in its source that it adds.
     fn no_screen(error: &impl ToString) -> Self {
         let text = error.to_string();

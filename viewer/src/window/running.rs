@@ -14,6 +14,7 @@ use super::stage::{Shown, Stage};
 use super::{WindowError, files, screenshot};
 use crate::sky::Sky;
 use crate::stars::StarField;
+use lensbake_report::message;
 use lensbake_tables::Table;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -277,7 +278,7 @@ impl Running {
     }
 
     fn refuse(&mut self, why: String) {
-        eprintln!("viewer: {why}");
+        message!("viewer: {why}");
         self.panel.say(why);
     }
 

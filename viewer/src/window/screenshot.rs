@@ -2,7 +2,8 @@
 
 use super::stage::begin;
 use crate::gpu::{Gpu, GpuError, Presenter, texture};
-use crate::picture::{PictureError, write_png};
+use crate::picture::{PictureError, encode_png};
+use lensbake_tables::output;
 use std::path::PathBuf;
 use wgpu::*;
 
@@ -61,6 +62,6 @@ pub(super) fn write([width, height]: [u32; 2], pixels: &[u8]) -> Result<PathBuf,
         .map(|n| PathBuf::from(format!("lensbake-{n}.png")))
         .find(|path| !path.exists())
         .expect("numbers do not end");
-    write_png(&free, width, height, pixels)?;
+    output::write(&free, &encode_png(width, height, pixels)?)?;
     Ok(free)
 }
