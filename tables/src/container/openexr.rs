@@ -39,7 +39,7 @@ pub(super) fn encode(table: &Table) -> std::result::Result<Vec<u8>, Problem> {
             match field {
                 Field::Count(n) => AttributeValue::I32(n.cast_signed()),
                 Field::Real(x) => AttributeValue::F64(x),
-                Field::Text(s) => AttributeValue::Text(Text::from(s.as_str())),
+                Field::Text(s) => AttributeValue::Text(Text::from_slice_unchecked(s.as_bytes())),
             },
         );
     }
@@ -132,7 +132,7 @@ fn decode_header(bytes: &[u8]) -> std::result::Result<Header, Problem> {
         Some(match attribute(attributes, name)? {
             AttributeValue::I32(n) => Field::Count(n.cast_unsigned()),
             AttributeValue::F64(x) => Field::Real(*x),
-            AttributeValue::Text(s) => Field::Text(s.to_string()),
+            AttributeValue::Text(s) => Field::Text(decode_text(s)),
             _ => return None,
         })
     })
@@ -152,6 +152,15 @@ fn decode_header(bytes: &[u8]) -> std::result::Result<Header, Problem> {
         )));
     }
     Ok(header)
+}
+
+/// The text of an attribute, which is UTF-8. Files of earlier versions hold Latin-1, which is no UTF-8 as
+/// soon as it has a letter beyond ASCII.
+fn decode_text(stored: &Text) -> String {
+    match std::str::from_utf8(stored.as_slice()) {
+        Ok(text) => text.to_owned(),
+        Err(_) => stored.to_string(),
+    }
 }
 
 fn stored_checksum(attributes: &LayerAttributes) -> std::result::Result<u32, Problem> {
