@@ -156,7 +156,10 @@ fn noise(rows: u32, texels: u32) -> Table {
 }
 
 #[test]
-#[cfg_attr(feature = "no-readers", ignore = "feature no-readers")]
+#[cfg_attr(
+    any(feature = "no-readers", not(target_os = "linux")),
+    ignore = "feature no-readers, or not Linux"
+)]
 fn the_shipped_atlas_is_the_same_to_every_reader() {
     let assets = workspace().join("tables/assets");
     let [binary, exr] = ["atlas.lbt", "atlas.exr"].map(|name| assets.join(name));
@@ -164,7 +167,10 @@ fn the_shipped_atlas_is_the_same_to_every_reader() {
 }
 
 #[test]
-#[cfg_attr(feature = "no-readers", ignore = "feature no-readers")]
+#[cfg_attr(
+    any(feature = "no-readers", not(target_os = "linux")),
+    ignore = "feature no-readers, or not Linux"
+)]
 fn what_is_baked_is_the_same_to_every_reader() {
     readers_see(&measured(bake(&Recipe::default(), || ()).unwrap()).unwrap());
     for radius in [1.5, 10.0, f64::INFINITY] {
@@ -173,7 +179,10 @@ fn what_is_baked_is_the_same_to_every_reader() {
 }
 
 #[test]
-#[cfg_attr(feature = "no-readers", ignore = "feature no-readers")]
+#[cfg_attr(
+    any(feature = "no-readers", not(target_os = "linux")),
+    ignore = "feature no-readers, or not Linux"
+)]
 fn every_bit_of_any_table_is_the_same_to_every_reader() {
     for (rows, texels) in [(4, 4), (16, 1000), (37, 300), (64, 65_536), (4096, 64)] {
         readers_see(&noise(rows, texels));
@@ -181,7 +190,10 @@ fn every_bit_of_any_table_is_the_same_to_every_reader() {
 }
 
 #[test]
-#[cfg_attr(feature = "no-readers", ignore = "feature no-readers")]
+#[cfg_attr(
+    any(feature = "no-readers", not(target_os = "linux")),
+    ignore = "feature no-readers, or not Linux"
+)]
 fn no_name_of_a_solver_keeps_a_reader_from_the_picture() {
     let table = one_row(10.0);
     for name in ["", "метод", "a\0b", "\"\n", &"x".repeat(4000)] {
