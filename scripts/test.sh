@@ -1,6 +1,6 @@
 #!/bin/sh
 # Runs every test. On Debian and Ubuntu, installs first what is missing: software Vulkan where there is no
-# driver, and a screen for the window's tests.
+# driver, a screen for the window's tests, and what reads OpenEXR files as others do.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -19,6 +19,17 @@ has_program() {
     command -v "$1" >/dev/null
 }
 
+has_header() {
+    echo "#include <$1>" | g++ -E -x c++ - >/dev/null 2>&1
+}
+
+has_python_module() {
+    python3 -c "import $1" 2>/dev/null
+}
+
+without="cargo test --workspace --features"
+without="$without lensbake-tests/no-gpu,lensbake-tests/no-readers,viewer/no-gpu,viewer/no-window"
+
 missing=""
 if [ "$(uname)" = Linux ]; then
     has_vulkan_driver || missing="$missing mesa-vulkan-drivers"
@@ -32,12 +43,17 @@ if [ "$(uname)" = Linux ]; then
     has_library libXrandr.so.2 || missing="$missing libxrandr2"
     has_library libxkbcommon.so.0 || missing="$missing libxkbcommon0"
     has_library libxkbcommon-x11.so.0 || missing="$missing libxkbcommon-x11-0"
+    has_program g++ || missing="$missing g++"
+    has_header tinyexr.h || missing="$missing libtinyexr-dev"
+    has_program python3 || missing="$missing python3"
+    has_python_module ensurepip || missing="$missing python3-venv"
+    has_program node || missing="$missing nodejs"
+    has_program npm || missing="$missing npm"
 fi
 
 if [ -n "$missing" ]; then
     if ! has_program apt-get; then
-        echo "test.sh: install what these Debian packages hold:$missing; or run cargo test --workspace" \
-            "--features lensbake-tests/no-gpu,viewer/no-gpu,viewer/no-window" >&2
+        echo "test.sh: install what these Debian packages hold:$missing; or run $without" >&2
         exit 2
     fi
     as_root=""
@@ -45,6 +61,13 @@ if [ -n "$missing" ]; then
     $as_root apt-get update
     # shellcheck disable=SC2086 # one word a package
     $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
+fi
+
+if [ "$(uname)" = Linux ]; then
+    scripts/fetch-readers.sh || {
+        echo "test.sh: what reads OpenEXR files cannot be fetched; or run $without" >&2
+        exit 2
+    }
 fi
 
 cargo test --workspace

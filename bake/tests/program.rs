@@ -2,7 +2,7 @@
 
 use lensbake_core::Observer;
 use lensbake_tables::{ATLAS_BINARY, ATLAS_EXR, container};
-use lensbake_tests::{Damaged, Program, damaged_tables};
+use lensbake_tests::{Damaged, Program, damaged_tables, one_row};
 use tempfile::TempDir;
 
 const BAKE: Program = Program::at(env!("CARGO_BIN_EXE_bake"));
@@ -154,6 +154,27 @@ fn bake_writes_the_same_bytes_for_any_number_of_threads_and_both_containers() {
         .succeeds();
     BAKE.run(&["convert", &exr, &back]).succeeds();
     assert_eq!(std::fs::read(back).unwrap(), one);
+}
+
+#[test]
+fn convert_keeps_a_solver_name_of_any_letters() {
+    let folder = folder();
+    let [from, exr, back] = ["a.lbt", "a.exr", "b.lbt"].map(|name| path(&folder, name));
+    for name in ["метод", "Störmer", "", "a\0\"b\"\n"] {
+        let table = one_row(10.0);
+        let mut header = table.header().clone();
+        header.solver.name = name.to_owned();
+        container::write(from.as_ref(), &table.with_header(header).unwrap()).unwrap();
+        BAKE.run(&["convert", &from, &exr]).succeeds();
+        BAKE.run(&["convert", &exr, &back]).succeeds();
+        assert_eq!(std::fs::read(&from).unwrap(), std::fs::read(&back).unwrap());
+    }
+    // What a terminal would obey is shown, not sent.
+    let shown = BAKE.run(&["inspect", &exr]).succeeds().stdout;
+    assert!(
+        shown.contains("\nsolver             a\\0\"b\"\\n\n"),
+        "{shown}"
+    );
 }
 
 #[test]

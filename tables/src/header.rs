@@ -1,6 +1,6 @@
 //! What a table says of itself.
 
-use crate::{Axis, TableError};
+use crate::{Axis, TableError, text};
 use lensbake_core::Observer;
 use serde::{Deserialize, Serialize};
 
@@ -37,7 +37,7 @@ pub enum Rows {
 /// How the texels were computed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Solver {
-    /// Its name.
+    /// Its name: at most 4016 bytes of UTF-8.
     pub name: String,
     /// The tolerance it was asked for, rad a radian of orbital angle.
     pub tolerance: f64,
@@ -82,6 +82,8 @@ const TEXELS: (u64, u64) = (4, 1 << 16);
 const ROWS: (u64, u64) = (4, 1 << 12);
 /// The most texels a table may have in all.
 pub(crate) const MAX_TEXELS: u64 = 1 << 22;
+/// The most bytes that a solver's name may have, so that every header fits into a binary file.
+pub(crate) const MAX_SOLVER_NAME: usize = 4016;
 
 const UNITS: &str = "r_s = 1 (2GM = 1), c = 1; angles and texels in radians";
 
@@ -138,6 +140,11 @@ impl Header {
             "the number of texels in all",
             self.texel_count(),
             (1, MAX_TEXELS),
+        )?;
+        in_range(
+            "the length of the solver's name in bytes",
+            self.solver.name.len() as u64,
+            (0, MAX_SOLVER_NAME as u64),
         )?;
         if let Some((b_min, b_max)) = self.axis.b_range() {
             if !(b_min > lensbake_core::B_CRIT && b_max > b_min && b_max.is_finite()) {
@@ -242,7 +249,11 @@ impl Header {
             "log-b" => b_range().map(|(b_min, b_max)| Axis::UniformLogB { b_min, b_max })?,
             other => {
                 let expected = "must be residual, b, inverse-b or log-b";
-                return Err(FieldError::Bad(field("axis", other, expected)));
+                return Err(FieldError::Bad(field(
+                    "axis",
+                    text::excerpt(other),
+                    expected,
+                )));
             }
         };
         let rows = match text("row_map")?.as_str() {
@@ -255,7 +266,7 @@ impl Header {
             other => {
                 return Err(FieldError::Bad(field(
                     "row_map",
-                    other,
+                    text::excerpt(other),
                     "must be one or chi",
                 )));
             }

@@ -31,6 +31,7 @@ pub mod output;
 mod row;
 pub mod statistics;
 mod table;
+pub mod text;
 
 pub use atlas::{ATLAS_BINARY, ATLAS_EXR, default_atlas};
 pub use axis::{Axis, Stored};

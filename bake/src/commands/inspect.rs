@@ -2,6 +2,7 @@
 
 use super::CommandError;
 use lensbake_report::{Outcome, Printer};
+use lensbake_tables::text::on_one_line;
 use lensbake_tables::{Field, container};
 use std::path::Path;
 
@@ -24,6 +25,6 @@ fn show(field: &Field) -> String {
         Field::Count(n) => n.to_string(),
         Field::Real(x) if *x != 0.0 && x.abs() < 1e-3 => format!("{x:e}"),
         Field::Real(x) => x.to_string(),
-        Field::Text(text) => text.clone(),
+        Field::Text(text) => on_one_line(text),
     }
 }

@@ -8,12 +8,14 @@
 
 use super::{VERSION, checksum};
 use crate::error::Problem;
+use crate::header::MAX_SOLVER_NAME;
 use crate::{Header, Table};
 
 pub(super) const MAGIC: [u8; 8] = *b"LENSBAKE";
 const PREFIX: usize = MAGIC.len() + 4 + 4;
-/// No header is longer; a solver's name is its only part without a fixed length.
-const MAX_HEADER: usize = 4096;
+/// No header is longer: a solver's name is its only part without a fixed length, and the others have 80
+/// bytes at most.
+const MAX_HEADER: usize = MAX_SOLVER_NAME + 80;
 const TEXEL: u64 = 8;
 const CHECKSUM: u64 = 4;
 

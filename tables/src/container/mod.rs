@@ -23,7 +23,7 @@ const MAX_FILE_BYTES: u64 = MAX_TEXELS * 12 + (1 << 20);
 pub enum Container {
     /// `.lbt`: magic, version, bincode header, little-endian floats, checksum.
     Binary,
-    /// `.exr`: OpenEXR, RGB float, ZIP; the header as attributes.
+    /// `.exr`: OpenEXR, scan lines of RGB float, ZIP; the header as attributes.
     OpenExr,
 }
 

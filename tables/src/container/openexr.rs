@@ -1,6 +1,7 @@
-//! The OpenEXR container: R the stored value, G its slope a texel, B zero; 32-bit float, ZIP; one line
-//! a row. The header's fields are attributes named `lensbake.…`. Three channels because
-//! single-channel files fail in several engines, 32 bits because half floats cost 4e-3 rad.
+//! The OpenEXR container: R the stored value, G its slope a texel, B zero; 32-bit float, ZIP; scan lines
+//! from the top, one a row. The header's fields are attributes named `lensbake.…`. Three channels because
+//! single-channel files fail in several engines; 32 bits because half floats would cost 5e-4 rad
+//! (docs/format.md).
 
 use super::{VERSION, checksum};
 use crate::error::Problem;
@@ -38,18 +39,15 @@ pub(super) fn encode(table: &Table) -> std::result::Result<Vec<u8>, Problem> {
             match field {
                 Field::Count(n) => AttributeValue::I32(n.cast_signed()),
                 Field::Real(x) => AttributeValue::F64(x),
-                Field::Text(s) => AttributeValue::Text(Text::from(s.as_str())),
+                Field::Text(s) => AttributeValue::Text(Text::from_slice_unchecked(s.as_bytes())),
             },
         );
     }
-    let encoding = Encoding {
-        compression: Compression::ZIP16,
-        ..Encoding::SMALL_FAST_LOSSLESS
-    };
     let layer = Layer::new(
         (width, header.row_count() as usize),
         attributes,
-        encoding,
+        // ZIP of scan lines from the top: what every reader knows. tinyexr reads zeros from tiles.
+        Encoding::SMALL_LOSSLESS,
         channels,
     );
     let mut bytes = Cursor::new(Vec::new());
@@ -90,9 +88,9 @@ pub(super) fn decode(bytes: &[u8]) -> std::result::Result<Table, Problem> {
         .no_deep_data()
         .largest_resolution_level()
         .rgb_channels(
-            move |size: Vec2<usize>, _| (size, vec![[0.0_f32; 2]; size.area()]),
-            |(size, texels): &mut (Vec2<usize>, Vec<[f32; 2]>), at, (r, g, _): (f32, f32, f32)| {
-                texels[at.y() * size.x() + at.x()] = [r, g];
+            |size: Vec2<usize>, _| vec![[0.0_f32; 2]; size.area()],
+            move |texels: &mut Vec<[f32; 2]>, at, (r, g, _): (f32, f32, f32)| {
+                texels[at.y() * width + at.x()] = [r, g];
             },
         )
         .first_valid_layer()
@@ -101,8 +99,7 @@ pub(super) fn decode(bytes: &[u8]) -> std::result::Result<Table, Problem> {
         .from_buffered(Cursor::new(bytes))
         .map_err(exr_problem)?;
     let layer = &image.layer_data;
-    let (_, texels) = &layer.channel_data.pixels;
-    debug_assert_eq!(layer.size.x(), width);
+    let texels = &layer.channel_data.pixels;
     let computed = checksum(&super::binary::encode_header(&header)?, texels);
     let stored = stored_checksum(&layer.attributes)?;
     if stored != computed {
@@ -135,7 +132,7 @@ fn decode_header(bytes: &[u8]) -> std::result::Result<Header, Problem> {
         Some(match attribute(attributes, name)? {
             AttributeValue::I32(n) => Field::Count(n.cast_unsigned()),
             AttributeValue::F64(x) => Field::Real(*x),
-            AttributeValue::Text(s) => Field::Text(s.to_string()),
+            AttributeValue::Text(s) => Field::Text(decode_text(s)),
             _ => return None,
         })
     })
@@ -155,6 +152,15 @@ fn decode_header(bytes: &[u8]) -> std::result::Result<Header, Problem> {
         )));
     }
     Ok(header)
+}
+
+/// The text of an attribute, which is UTF-8. Files of earlier versions hold Latin-1, which is no UTF-8 as
+/// soon as it has a letter beyond ASCII.
+fn decode_text(stored: &Text) -> String {
+    match std::str::from_utf8(stored.as_slice()) {
+        Ok(text) => text.to_owned(),
+        Err(_) => stored.to_string(),
+    }
 }
 
 fn stored_checksum(attributes: &LayerAttributes) -> std::result::Result<u32, Problem> {

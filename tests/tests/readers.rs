@@ -1,0 +1,204 @@
+//! The OpenEXR tables, read by programs that others wrote: OpenEXR's own library, tinyexr and three.js.
+//! They have to see the bits of the binary file, its first row at the top.
+
+use bake::baker::{Recipe, bake};
+use bake::measure::measured;
+use lensbake_tables::{Header, Rows, Table, Texel, container, default_atlas};
+use lensbake_tests::{one_row, workspace};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::LazyLock;
+use tempfile::TempDir;
+
+/// A program that writes a picture to standard output: width and height as u32, then R, G and B of each
+/// pixel as f32, from the top row to the bottom one.
+struct Reader {
+    name: &'static str,
+    command: Vec<PathBuf>,
+}
+
+static READERS: LazyLock<[Reader; 3]> = LazyLock::new(|| {
+    let sources = workspace().join("tests/readers");
+    let fetched = fetched();
+    let tinyexr = Path::new(env!("CARGO_TARGET_TMPDIR")).join("read_tinyexr");
+    build(&sources.join("read_tinyexr.cc"), &tinyexr);
+    // Node looks for packages beside the script.
+    let three = fetched.join("read_three.mjs");
+    std::fs::copy(sources.join("read_three.mjs"), &three).unwrap();
+    let reader = |name, command| Reader { name, command };
+    let python = fetched.join("venv/bin/python");
+    [
+        reader("OpenEXR", vec![python, sources.join("read_openexr.py")]),
+        reader("tinyexr", vec![tinyexr]),
+        reader("three.js", vec!["node".into(), three]),
+    ]
+});
+
+const HINT: &str = "run scripts/test.sh once, which installs what this test reads with; or test with \
+                    --features lensbake-tests/no-readers";
+
+/// Where `scripts/fetch-readers.sh` puts the readers' packages: beside Cargo's folder for tests.
+fn fetched() -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("readers");
+    assert!(
+        folder.join("node_modules").is_dir() && folder.join("venv").is_dir(),
+        "{} lacks packages: {HINT}",
+        folder.display()
+    );
+    folder
+}
+
+fn build(source: &Path, program: &Path) {
+    let compiler = Command::new("g++")
+        .args(["-O1", "-o"])
+        .args([program, source])
+        .arg("-ltinyexr")
+        .status();
+    let built = compiler.is_ok_and(|status| status.success());
+    assert!(built, "{} does not compile: {HINT}", source.display());
+}
+
+/// What a reader made of a picture.
+struct Picture {
+    width: u32,
+    height: u32,
+    /// R, G and B, row by row from the top.
+    pixels: Vec<[u32; 3]>,
+}
+
+impl Reader {
+    fn read(&self, file: &Path) -> Picture {
+        let output = Command::new(&self.command[0])
+            .args(&self.command[1..])
+            .arg(file)
+            .output()
+            .unwrap_or_else(|e| panic!("{}: {e}: {HINT}", self.name));
+        assert!(
+            output.status.success(),
+            "{}, {}: {}",
+            self.name,
+            file.display(),
+            String::from_utf8_lossy(&output.stderr)
+        );
+        let words = words(&output.stdout);
+        Picture {
+            width: words[0],
+            height: words[1],
+            pixels: words[2..].as_chunks().0.to_vec(),
+        }
+    }
+}
+
+fn words(bytes: &[u8]) -> Vec<u32> {
+    let (words, rest) = bytes.as_chunks();
+    assert!(rest.is_empty(), "{} bytes left over", rest.len());
+    words.iter().map(|word| u32::from_le_bytes(*word)).collect()
+}
+
+/// The bits of the texels in a binary file, by docs/format.md and not by our reader.
+fn bits_of_the_texels(file: &Path) -> Vec<[u32; 2]> {
+    let bytes = std::fs::read(file).unwrap();
+    let header_length = words(&bytes[12..16])[0] as usize;
+    let texels = &bytes[16 + header_length..bytes.len() - 4];
+    words(texels).as_chunks().0.to_vec()
+}
+
+/// Checks that every reader sees in `exr` the texels of `binary`, and zero in the third channel.
+fn all_see_the_same(binary: &Path, exr: &Path, header: &Header) {
+    let texels = bits_of_the_texels(binary);
+    let (width, height) = (header.texels, header.row_count());
+    assert_eq!(texels.len(), width as usize * height as usize);
+    for reader in READERS.iter() {
+        let picture = reader.read(exr);
+        let whose = format!("{}, {}", reader.name, exr.display());
+        assert_eq!((picture.width, picture.height), (width, height), "{whose}");
+        assert_eq!(picture.pixels.len(), texels.len(), "{whose}");
+        for (i, (pixel, [value, slope])) in picture.pixels.iter().zip(&texels).enumerate() {
+            let (row, texel) = (i as u32 / width, i as u32 % width);
+            let expected = [*value, *slope, 0];
+            assert!(
+                *pixel == expected,
+                "{whose}: texel {texel} of row {row} is {pixel:08x?}, not {expected:08x?}"
+            );
+        }
+    }
+}
+
+/// Writes `table` into both containers and checks what the readers see.
+fn readers_see(table: &Table) {
+    let folder = TempDir::new().unwrap();
+    let [binary, exr] = ["table.lbt", "table.exr"].map(|name| folder.path().join(name));
+    container::write(&binary, table).unwrap();
+    container::write(&exr, table).unwrap();
+    all_see_the_same(&binary, &exr, table.header());
+}
+
+/// A table of random bits, which cannot be compressed and which half floats cannot hold.
+fn noise(rows: u32, texels: u32) -> Table {
+    let mut rng = fastrand::Rng::with_seed(5);
+    let mut float = || {
+        loop {
+            let float = f32::from_bits(rng.u32(..));
+            if float.is_finite() {
+                return float;
+            }
+        }
+    };
+    let header = Header {
+        rows: Rows::Chi { count: rows },
+        texels,
+        ..default_atlas().header().clone()
+    };
+    let texels: Vec<Texel> = (0..header.texel_count())
+        .map(|_| [float(), float()])
+        .collect();
+    Table::new(header, texels).unwrap()
+}
+
+#[test]
+#[cfg_attr(
+    any(feature = "no-readers", not(target_os = "linux")),
+    ignore = "feature no-readers, or not Linux"
+)]
+fn the_shipped_atlas_is_the_same_to_every_reader() {
+    let assets = workspace().join("tables/assets");
+    let [binary, exr] = ["atlas.lbt", "atlas.exr"].map(|name| assets.join(name));
+    all_see_the_same(&binary, &exr, default_atlas().header());
+}
+
+#[test]
+#[cfg_attr(
+    any(feature = "no-readers", not(target_os = "linux")),
+    ignore = "feature no-readers, or not Linux"
+)]
+fn what_is_baked_is_the_same_to_every_reader() {
+    readers_see(&measured(bake(&Recipe::default(), || ()).unwrap()).unwrap());
+    for radius in [1.5, 10.0, f64::INFINITY] {
+        readers_see(&one_row(radius));
+    }
+}
+
+#[test]
+#[cfg_attr(
+    any(feature = "no-readers", not(target_os = "linux")),
+    ignore = "feature no-readers, or not Linux"
+)]
+fn every_bit_of_any_table_is_the_same_to_every_reader() {
+    for (rows, texels) in [(4, 4), (16, 1000), (37, 300), (64, 65_536), (4096, 64)] {
+        readers_see(&noise(rows, texels));
+    }
+}
+
+#[test]
+#[cfg_attr(
+    any(feature = "no-readers", not(target_os = "linux")),
+    ignore = "feature no-readers, or not Linux"
+)]
+fn no_name_of_a_solver_keeps_a_reader_from_the_picture() {
+    let table = one_row(10.0);
+    for name in ["", "метод", "a\0b", "\"\n", &"x".repeat(4000)] {
+        let mut header = table.header().clone();
+        header.solver.name = name.to_owned();
+        readers_see(&table.clone().with_header(header).unwrap());
+    }
+}
