@@ -144,4 +144,63 @@ mod tests {
             Err(StarsProblem::Line { line: 2, .. })
         ));
     }
+
+    /// The line is the one that an editor shows.
+    #[test]
+    fn the_line_named_is_the_one_that_an_editor_shows() {
+        for (text, line) in [
+            ("ra,dec,mag\n1,2,3\n1,2,x\n", 3),
+            ("ra,dec,mag\r\n1,2,3\r\n1,2,x\r\n", 3),
+            ("ra,dec,mag\r1,2,3\r1,2,x\r", 3),
+            ("\u{feff}ra,dec,mag\r\n1,2,3\r\n1,2,x\r\n", 3),
+            ("ra,dec,mag\n# one\n\n# two\n1,2,x\n", 5),
+            ("ra,dec,mag\r\n# one\r\n\r\n# two\r\n1,2,x\r\n", 5),
+            ("# one\n\nra,dec,mag\n\n\n1,2,x\n", 6),
+            ("\n\r\nra,dec,mag\n1,2,x", 4),
+            ("name,ra,dec,mag\n\"A\nB\",1,2,3\n\"C\",1,2,x\n", 4),
+            ("name,ra,dec,mag\r\n\"A\r\nB\r\n\",1,2,3\r\nC,1,2,x\r\n", 5),
+            // A field of the bad record itself spans lines: the bad value stands behind them.
+            ("name,ra,dec,mag\n\"A\nB\",1,2,x\n", 3),
+            ("ra,dec,mag,name\n1,2,x,\"A\nB\"\n", 2),
+            ("ra,dec,mag\n1,2,\"\n\nx\"\n", 4),
+            // '#' in the middle of a quoted field is no comment.
+            ("name,ra,dec,mag\n\"A\n# B\",1,2,3\n1,1,2,x\n", 4),
+            ("#ra,dec,mag\r\n1,2,3\r\n1,2,x\r\n", 3),
+            ("#ra,dec,mag\n1,2,x\n", 2),
+        ] {
+            let told = refused(text);
+            assert!(
+                told.contains(&format!("line {line}: mag is 'x'")),
+                "{text:?}: {told}"
+            );
+        }
+        for (bytes, line) in [
+            (&b"ra,dec,mag\r\n# one\r\n1,2,3\r\n\xff\xfe,2,3\r\n"[..], 4),
+            (b"name,ra,dec,mag\n\"A\nB\",1,2,\xff\n", 3),
+        ] {
+            let told = read(bytes).unwrap_err().to_string();
+            assert!(told.contains(&format!("line {line}")), "{told}");
+        }
+    }
+
+    /// Astronomers' tools write the names of the columns as a comment.
+    #[test]
+    fn a_header_may_be_a_comment() {
+        for text in [
+            "#ra,dec,mag\n10,20,3\n",
+            "# RA, Dec ,mag\r\n10,20,3\r\n",
+            "\u{feff}#ra,dec,mag\n10,20,3\n",
+            "# from a survey\n\n#ra,dec,mag\n# more\n10,20,3\n",
+            // The header that is none of the comments goes before one that is.
+            "#dec,ra,mag\nra,dec,mag\n10,20,3\n",
+        ] {
+            let catalogue = read(text.as_bytes()).unwrap_or_else(|e| panic!("{text:?}: {e}"));
+            let [star] = catalogue.stars() else {
+                panic!("{text:?}")
+            };
+            assert_eq!(star.right_ascension, 10f64.to_radians(), "{text:?}");
+        }
+        assert!(refused("#ra,dec\n10,20,3\n").contains("no column"));
+        assert!(refused("#ra,dec,mag\n").contains("no star"));
+    }
 }

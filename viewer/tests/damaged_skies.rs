@@ -1,0 +1,202 @@
+#![cfg(unix)]
+//! Damaged skies: the program ends with one line and exit code 2, whatever the file asks for.
+
+mod exr_files;
+
+use exr::prelude::{Blocks, Compression, Vec2};
+use exr_files::{
+    COMPRESSIONS, HEIGHT, Samples, WIDTH, attribute, first_chunk, picture, table_of_chunks, with,
+};
+use lensbake_tests::Program;
+use std::path::Path;
+use viewer::sky::{self, SkySource};
+
+const SHELL: Program = Program::at("/bin/sh");
+/// Runs the program with 1 GiB of address space: an allocation on a file's word ends it with a signal.
+const LIMITED: &str = "ulimit -v 1048576 && exec \"$0\" \"$@\"";
+/// Those of the eleven counters at the start of a DWA chunk that an allocation may follow in a file with
+/// lossy channels alone: all but the version, the two of the run lengths of alpha, and the kind of coding.
+const DWA_COUNTERS: [usize; 7] = [1, 2, 3, 4, 5, 8, 9];
+
+/// Draws before the sky in this file, and checks that the program refuses it in one line that names it.
+#[track_caller]
+fn refused(bytes: &[u8], what: &str) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (sky, out) = (path("sky.exr"), path("out.png"));
+    std::fs::write(&sky, bytes).unwrap();
+    let viewer = ["-c", LIMITED, env!("CARGO_BIN_EXE_viewer"), "render"];
+    let args = ["-d", "cpu", "--size", "16x8", "-s", &sky, "-o", &out];
+    let run = SHELL.run(&[&viewer[..], &args].concat());
+    assert_eq!(run.code, 2, "{what}: {run:?}");
+    run.refuses(&[&sky]);
+}
+
+#[test]
+fn a_counter_of_a_dwa_chunk_allocates_nothing() {
+    for compression in [Compression::DWAA(None), Compression::DWAB(None)] {
+        let file = picture(compression, Blocks::ScanLines, Samples::Half);
+        let counters = first_chunk(&file) + 8;
+        for counter in DWA_COUNTERS {
+            for value in [1 << 30, 1 << 40, 36_028_797_018_963_968_u64] {
+                let damaged = with(file.clone(), counters + 8 * counter, &value.to_le_bytes());
+                refused(
+                    &damaged,
+                    &format!("{compression:?}, counter {counter}: {value}"),
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_window_of_data_that_the_file_cannot_fill_allocates_nothing() {
+    for compression in COMPRESSIONS {
+        for samples in [Samples::Half, Samples::Float, Samples::Uint] {
+            let file = picture(compression, Blocks::ScanLines, samples);
+            let window = attribute(&file, "dataWindow");
+            // As wide as can be, and all that is claimed of the display window is untouched.
+            let wide = with(file.clone(), window + 8, &0x3fff_ff00_u32.to_le_bytes());
+            refused(&wide, &format!("{compression:?} {samples:?}, wide"));
+            let high = with(file, window + 12, &0x3fff_ff00_u32.to_le_bytes());
+            refused(&high, &format!("{compression:?} {samples:?}, high"));
+        }
+    }
+}
+
+#[test]
+fn a_chunk_longer_than_the_file_allocates_nothing() {
+    for compression in COMPRESSIONS {
+        let file = picture(compression, Blocks::ScanLines, Samples::Float);
+        let size = first_chunk(&file) + 4;
+        for length in [i32::MAX, 1 << 20, -1] {
+            let damaged = with(file.clone(), size, &length.to_le_bytes());
+            refused(&damaged, &format!("{compression:?}, {length} bytes"));
+        }
+    }
+}
+
+#[test]
+fn tiles_as_large_as_can_be_allocate_nothing() {
+    let tiles = Blocks::Tiles(Vec2(16, 16));
+    for compression in COMPRESSIONS {
+        let file = picture(compression, tiles, Samples::Float);
+        let chunk_size = first_chunk(&file) + 16;
+        let mut damaged = with(file, chunk_size, &i32::MAX.to_le_bytes());
+        let size = attribute(&damaged, "tiles");
+        for side in [size, size + 4] {
+            damaged = with(damaged, side, &0x1fff_fff0_u32.to_le_bytes());
+        }
+        damaged = with_chunk_count(damaged, 1);
+        refused(&damaged, &format!("{compression:?}"));
+    }
+}
+
+#[test]
+fn a_picture_larger_than_its_file_can_hold_allocates_nothing() {
+    // Both windows declare 16384 x 8192 pixels, which a sky may have, in 512 chunks that are all the same
+    // one of 32 x 16 pixels.
+    let mut damaged = picture(Compression::ZIP16, Blocks::ScanLines, Samples::Float);
+    let corner = [16383_u32.to_le_bytes(), 8191_u32.to_le_bytes()].concat();
+    for window in ["dataWindow", "displayWindow"] {
+        let at = attribute(&damaged, window) + 8;
+        damaged = with(damaged, at, &corner);
+    }
+    damaged = with_chunk_count(damaged, 512);
+    let (table, chunk) = (table_of_chunks(&damaged), first_chunk(&damaged));
+    let moved = (chunk as u64 + 511 * 8).to_le_bytes();
+    damaged.splice(table..table + 8, moved.repeat(512));
+    refused(&damaged, "16384 x 8192");
+}
+
+fn with_chunk_count(file: Vec<u8>, count: u32) -> Vec<u8> {
+    let at = attribute(&file, "chunkCount");
+    with(file, at, &count.to_le_bytes())
+}
+
+/// Random damage, the same each time: single bytes, words that count much, and cut ends.
+#[test]
+fn random_damage_never_ends_the_program() {
+    let mut random = fastrand::Rng::with_seed(17);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("sky.exr");
+    let mut refused = 0;
+    for compression in COMPRESSIONS {
+        for blocks in [Blocks::ScanLines, Blocks::Tiles(Vec2(16, 8))] {
+            for samples in [Samples::Half, Samples::Float] {
+                let file = picture(compression, blocks, samples);
+                for _ in 0..60 {
+                    let mut damaged = file.clone();
+                    for _ in 0..random.usize(1..4) {
+                        damage(&mut damaged, &mut random);
+                    }
+                    refused += usize::from(is_refused(&path, &damaged));
+                }
+            }
+        }
+    }
+    assert!(refused > 800, "{refused}");
+}
+
+fn damage(file: &mut Vec<u8>, random: &mut fastrand::Rng) {
+    let at = random.usize(0..file.len() - 8);
+    match random.u8(0..4) {
+        0 => file[at] = random.u8(..),
+        1 => file[at] ^= 1 << random.u8(0..8),
+        2 => file[at..at + 4].copy_from_slice(&random.u32(..).to_le_bytes()),
+        _ => file.truncate(at + 8),
+    }
+}
+
+fn is_refused(path: &Path, bytes: &[u8]) -> bool {
+    std::fs::write(path, bytes).unwrap();
+    match sky::load(&SkySource::Panorama(path.to_owned())) {
+        Ok(_) => false,
+        Err(error) => {
+            let line = error.to_string();
+            assert_eq!(line.lines().count(), 1, "{line}");
+            assert!(line.starts_with(path.to_str().unwrap()), "{line}");
+            true
+        }
+    }
+}
+
+/// What the guard must not refuse: every encoding that the decoder has.
+#[test]
+fn every_encoding_is_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("sky.exr");
+    let read = |bytes: &[u8]| {
+        std::fs::write(&path, bytes).unwrap();
+        sky::load(&SkySource::Panorama(path.clone())).unwrap()
+    };
+    let truth = read(&picture(
+        Compression::Uncompressed,
+        Blocks::ScanLines,
+        Samples::Float,
+    ));
+    for compression in COMPRESSIONS {
+        let lossy = match compression {
+            Compression::B44 | Compression::B44A => 3.0,
+            Compression::DWAA(_) | Compression::DWAB(_) => 3.0,
+            _ => 0.0,
+        };
+        let tiles = [(16, 8), (WIDTH, HEIGHT), (64, 64), (10, 7)];
+        let tiles = tiles.map(|(width, height)| Blocks::Tiles(Vec2(width, height)));
+        for blocks in [Blocks::ScanLines].into_iter().chain(tiles) {
+            for samples in [Samples::Half, Samples::Float, Samples::Uint] {
+                let sky = read(&picture(compression, blocks, samples));
+                let texels = |sky: &sky::Sky| sky.levels()[0].texels().to_vec();
+                for (found, expected) in texels(&sky).iter().zip(texels(&truth)) {
+                    for channel in 0..3 {
+                        let off = found[channel].to_f32() - expected[channel].to_f32();
+                        assert!(
+                            off.abs() <= lossy,
+                            "{compression:?} {blocks:?} {samples:?}: {found:?} {expected:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! Small OpenEXR pictures in every encoding, and where their fields are, to damage them.
+
+use exr::image::{AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer};
+use exr::meta::attribute::LineOrder;
+use exr::prelude::{Blocks, Compression, LayerAttributes, Vec2, WritableImage, f16};
+use std::io::Cursor;
+
+pub const WIDTH: usize = 32;
+pub const HEIGHT: usize = 16;
+
+/// Every compression that the decoder knows.
+pub const COMPRESSIONS: [Compression; 10] = [
+    Compression::Uncompressed,
+    Compression::RLE,
+    Compression::ZIP1,
+    Compression::ZIP16,
+    Compression::PIZ,
+    Compression::PXR24,
+    Compression::B44,
+    Compression::B44A,
+    Compression::DWAA(None),
+    Compression::DWAB(None),
+];
+
+/// How the samples of a channel are stored.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Samples {
+    Half,
+    Float,
+    Uint,
+}
+
+/// The value of channel `channel` (0 blue, 1 green, 2 red, as the file sorts them) at a pixel.
+pub fn value(channel: usize, index: usize) -> f32 {
+    let (x, y) = (index % WIDTH, index / WIDTH);
+    // Far enough from 0 that what a lossy encoding adds makes no negative light.
+    (8 + (x * (channel + 1) + 3 * y) % 29) as f32
+}
+
+/// A picture of 32 x 16 pixels in this encoding, as a file's bytes.
+pub fn picture(compression: Compression, blocks: Blocks, samples: Samples) -> Vec<u8> {
+    let values = |channel| (0..WIDTH * HEIGHT).map(move |index| value(channel, index));
+    let channel = |name: &str, channel: usize| {
+        AnyChannel::new(
+            name,
+            match samples {
+                Samples::Half => FlatSamples::F16(values(channel).map(f16::from_f32).collect()),
+                Samples::Float => FlatSamples::F32(values(channel).collect()),
+                Samples::Uint => FlatSamples::U32(values(channel).map(|v| v as u32).collect()),
+            },
+        )
+    };
+    let channels = vec![channel("B", 0), channel("G", 1), channel("R", 2)];
+    let channels = AnyChannels::sort(channels.into());
+    let encoding = Encoding {
+        compression,
+        blocks,
+        line_order: LineOrder::Increasing,
+    };
+    let attributes = LayerAttributes::named("sky");
+    let layer = Layer::new(Vec2(WIDTH, HEIGHT), attributes, encoding, channels);
+    let mut file = Cursor::new(Vec::new());
+    let image = Image::from_layer(layer);
+    image.write().non_parallel().to_buffered(&mut file).unwrap();
+    file.into_inner()
+}
+
+/// Where the value of an attribute starts.
+pub fn attribute(file: &[u8], name: &str) -> usize {
+    let (_, at) = attributes(file)
+        .into_iter()
+        .find(|(found, _)| found == name)
+        .unwrap();
+    at
+}
+
+/// Where the file's first chunk starts: by the first entry of the table behind the header.
+pub fn first_chunk(file: &[u8]) -> usize {
+    let table = table_of_chunks(file);
+    u64::from_le_bytes(file[table..table + 8].try_into().unwrap()) as usize
+}
+
+/// Where the table of chunks starts.
+pub fn table_of_chunks(file: &[u8]) -> usize {
+    let (_, last) = attributes(file).pop().unwrap();
+    last + 1
+}
+
+/// The names of the attributes with the place of their values; the last is the header's end.
+fn attributes(file: &[u8]) -> Vec<(String, usize)> {
+    let text_end = |from: usize| from + file[from..].iter().position(|&b| b == 0).unwrap();
+    let mut found = Vec::new();
+    let mut at = 8;
+    while file[at] != 0 {
+        let name_end = text_end(at);
+        let size_at = text_end(name_end + 1) + 1;
+        let size = u32::from_le_bytes(file[size_at..size_at + 4].try_into().unwrap()) as usize;
+        let name = String::from_utf8(file[at..name_end].to_vec()).unwrap();
+        found.push((name, size_at + 4));
+        at = size_at + 4 + size;
+    }
+    found.push((String::new(), at));
+    found
+}
+
+/// The file with these bytes in the place of its own.
+pub fn with(mut file: Vec<u8>, at: usize, bytes: &[u8]) -> Vec<u8> {
+    file[at..at + bytes.len()].copy_from_slice(bytes);
+    file
+}
