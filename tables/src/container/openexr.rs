@@ -3,10 +3,11 @@
 //! single-channel files fail in several engines; 32 bits because half floats would cost 5e-4 rad
 //! (docs/format.md).
 
-use super::{VERSION, checksum};
+use super::{MAX_FILE_BYTES, VERSION, checksum};
 use crate::error::Problem;
-use crate::header::FieldError;
-use crate::{Field, Header, Table};
+use crate::exr_guard::{CheckedExr, Limits};
+use crate::header::{FieldError, MAX_TEXELS};
+use crate::{Field, Header, Table, Texel};
 use exr::prelude::*;
 use std::io::Cursor;
 
@@ -81,42 +82,54 @@ fn with_attributes_in_order(mut file: Vec<u8>) -> Vec<u8> {
     file
 }
 
+/// What a table's file may be: an encoding that changes no bit, and no larger than any table.
+const LIMITS: Limits = Limits {
+    pixels: MAX_TEXELS,
+    chunk_bytes: MAX_FILE_BYTES,
+    lossy: false,
+};
+
 pub(super) fn decode(bytes: &[u8]) -> std::result::Result<Table, Problem> {
-    let header = decode_header(bytes)?;
-    let width = header.texels as usize;
-    let image = read()
-        .no_deep_data()
-        .largest_resolution_level()
-        .rgb_channels(
-            |size: Vec2<usize>, _| vec![[0.0_f32; 2]; size.area()],
-            move |texels: &mut Vec<[f32; 2]>, at, (r, g, _): (f32, f32, f32)| {
-                texels[at.y() * width + at.x()] = [r, g];
-            },
-        )
-        .first_valid_layer()
-        .all_attributes()
-        .non_parallel()
-        .from_buffered(Cursor::new(bytes))
-        .map_err(exr_problem)?;
-    let layer = &image.layer_data;
-    let texels = &layer.channel_data.pixels;
-    let computed = checksum(&super::binary::encode_header(&header)?, texels);
-    let stored = stored_checksum(&layer.attributes)?;
+    let file = CheckedExr::open(bytes, &LIMITS).map_err(|e| Problem::Exr(e.to_string()))?;
+    if file.layer_count() > 1 {
+        return Err(Problem::Exr("has more than one layer".into()));
+    }
+    let header = decode_header(file.header())?;
+    let texels = decode_texels(&file, &header)?;
+    let computed = checksum(&super::binary::encode_header(&header)?, &texels);
+    let stored = stored_checksum(&file.header().own_attributes)?;
     if stored != computed {
         return Err(Problem::Checksum {
             expected: stored,
             found: computed,
         });
     }
-    Ok(Table::new(header, texels.clone())?)
+    Ok(Table::new(header, texels)?)
+}
+
+/// The texels, R and G of each pixel. The size of the picture has been checked.
+fn decode_texels(
+    file: &CheckedExr<'_>,
+    header: &Header,
+) -> std::result::Result<Vec<Texel>, Problem> {
+    let width = header.texels as usize;
+    let mut texels = vec![[0.0; 2]; width * header.row_count() as usize];
+    for index in 0..file.chunk_count() {
+        let block = file
+            .rgb_block(index)
+            .map_err(|e| Problem::Exr(e.to_string()))?;
+        for (row, pixels) in (block.row..).zip(block.pixels.chunks_exact(block.width)) {
+            let start = row * width + block.column;
+            for (texel, &[r, g, _]) in texels[start..start + block.width].iter_mut().zip(pixels) {
+                *texel = [r, g];
+            }
+        }
+    }
+    Ok(texels)
 }
 
 /// Reads and checks the header alone, so that no pixel is allocated for sizes that are not a table's.
-fn decode_header(bytes: &[u8]) -> std::result::Result<Header, Problem> {
-    let meta = MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(exr_problem)?;
-    let [layer] = meta.headers.as_slice() else {
-        return Err(Problem::Exr("has more than one layer".into()));
-    };
+fn decode_header(layer: &exr::meta::header::Header) -> std::result::Result<Header, Problem> {
     let attributes = &layer.own_attributes;
     match attribute(attributes, VERSION_FIELD) {
         Some(&AttributeValue::I32(found)) if found.cast_unsigned() != VERSION => {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use image::{ImageBuffer, Luma, Rgb, Rgb32FImage, RgbImage};
 use tempfile::TempDir;
 
-use super::picture::Picture;
+use super::file::PictureFile;
 use super::{SkyError, SkySource, load};
 
 fn folder() -> TempDir {
@@ -201,7 +201,9 @@ fn the_content_and_not_the_name_tells_the_format() {
 fn integers_are_srgb_and_floats_are_linear() {
     let folder = folder();
     let first = |name: &str| {
-        Picture::load(&folder.path().join(name))
+        PictureFile::read(&folder.path().join(name))
+            .unwrap()
+            .decode()
             .unwrap()
             .light(0, 0)
     };

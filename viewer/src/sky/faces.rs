@@ -4,9 +4,9 @@
 //! frame is right-handed, so z is reflected: the front picture is straight ahead along −Z, and none
 //! is seen mirrored.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use super::picture::{self, Picture};
+use super::file::PictureFile;
 use super::{Sky, SkyError};
 
 /// Largest face: the cube map then takes 0.8 GB.
@@ -14,11 +14,12 @@ const MAX_SIZE: u32 = 4096;
 
 /// Returns the sky that shows the six pictures all round, pixel for texel.
 pub(super) fn load(paths: &[PathBuf; 6]) -> Result<Sky, SkyError> {
-    let size = common_size(paths)?;
-    let mut faces = Vec::with_capacity(6);
-    for path in paths {
-        faces.push(Picture::load(path)?);
-    }
+    // Each file is read once: what is checked is what is decoded.
+    let files = paths.iter().map(|path| PictureFile::read(path));
+    let files = files.collect::<Result<Vec<_>, _>>()?;
+    let size = common_size(&files)?;
+    let decoded = files.into_iter().map(|file| file.decode());
+    let faces = decoded.collect::<Result<Vec<_>, _>>()?;
     Ok(Sky::from_rows(size, |face, row, texels| {
         for (column, texel) in (0..).zip(texels) {
             let (face, column, row) = reflected(size, face, column, row);
@@ -36,31 +37,29 @@ fn reflected(size: u32, face: usize, column: u32, row: u32) -> (usize, u32, u32)
     }
 }
 
-/// The width and height that all six pictures declare.
-fn common_size(paths: &[PathBuf; 6]) -> Result<u32, SkyError> {
-    let mut sizes = [0; 6];
-    for (path, size) in paths.iter().zip(&mut sizes) {
-        *size = square_size(path)?;
-    }
+/// The width and height that all pictures declare.
+fn common_size(files: &[PictureFile]) -> Result<u32, SkyError> {
+    let sizes = files.iter().map(square_size);
+    let sizes = sizes.collect::<Result<Vec<_>, _>>()?;
     let first_size = sizes[0];
-    match paths
+    match files
         .iter()
         .zip(sizes)
         .find(|&(_, size)| size != first_size)
     {
         None => Ok(first_size),
-        Some((path, size)) => Err(SkyError::UnequalFaces {
-            path: path.clone(),
+        Some((file, size)) => Err(SkyError::UnequalFaces {
+            path: file.path().to_owned(),
             size,
-            first: paths[0].clone(),
+            first: files[0].path().to_owned(),
             first_size,
         }),
     }
 }
 
-fn square_size(path: &Path) -> Result<u32, SkyError> {
-    let (width, height) = picture::dimensions(path)?;
-    let path = path.to_owned();
+fn square_size(file: &PictureFile) -> Result<u32, SkyError> {
+    let (width, height) = file.size()?;
+    let path = file.path().to_owned();
     if width == 0 || height == 0 {
         return Err(SkyError::TooSmall {
             path,

@@ -6,16 +6,20 @@
 //! The sky frame is right-handed with +Y up; the middle of a panorama lies along −Z and its right
 //! half along +X.
 
+use file::PictureFile;
 use glam::Vec3;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 mod chain;
 mod cube;
 mod error;
 mod faces;
+mod file;
 mod grid;
+mod memory;
 mod nebula;
 mod noise;
+mod openexr;
 mod panorama;
 mod picture;
 mod starmap;
@@ -103,9 +107,29 @@ pub fn load(source: &SkySource) -> Result<Sky, SkyError> {
         SkySource::Starmap => Ok(starmap(BUILT_IN_FACE_TEXELS)),
         SkySource::Grid => Ok(grid(BUILT_IN_FACE_TEXELS)),
         SkySource::Stars => Ok(Sky::from_fn(1, |_| Vec3::ZERO)),
-        SkySource::Panorama(path) => panorama::load(path),
+        SkySource::Panorama(path) => panorama::load(&PictureFile::read(path)?),
         SkySource::Faces(paths) => faces::load(paths),
     }
+}
+
+/// Returns the sky of a panorama whose file holds `bytes`, as [`load`] does; errors name `path`, which is
+/// not opened.
+///
+/// # Errors
+///
+/// A [`SkyError`] says why the bytes cannot be used.
+pub fn panorama_from_bytes(path: &Path, bytes: Vec<u8>) -> Result<Sky, SkyError> {
+    panorama::load(&PictureFile::of(path, bytes)?)
+}
+
+/// Returns the width and height in pixels that the header of a picture file declares; errors name `path`,
+/// which is not opened.
+///
+/// # Errors
+///
+/// A [`SkyError`] if the header cannot be read.
+pub fn declared_size(path: &Path, bytes: Vec<u8>) -> Result<(u32, u32), SkyError> {
+    PictureFile::of(path, bytes)?.size()
 }
 
 #[cfg(test)]

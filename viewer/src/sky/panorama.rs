@@ -1,11 +1,11 @@
 //! A sky from one equirectangular picture.
 
 use std::f32::consts::{PI, TAU};
-use std::path::Path;
 
 use glam::Vec3;
 
-use super::picture::{self, Picture};
+use super::file::PictureFile;
+use super::picture::Picture;
 use super::{Sky, SkyError};
 
 const MIN_WIDTH: u32 = 4;
@@ -15,17 +15,17 @@ const MAX_HEIGHT: u32 = 8192;
 /// Largest face: the cube map then takes 0.8 GB.
 const MAX_FACE_TEXELS: u32 = 4096;
 
-/// Returns the sky of the panorama at `path`.
-pub(super) fn load(path: &Path) -> Result<Sky, SkyError> {
-    check_size(path)?;
-    let picture = Picture::load(path)?;
+/// Returns the sky of the panorama in `file`.
+pub(super) fn load(file: &PictureFile) -> Result<Sky, SkyError> {
+    check_size(file)?;
+    let picture = file.decode()?;
     let (width, _) = picture.size();
     Ok(Sky::from_fn(face_texels(width), |dir| light(&picture, dir)))
 }
 
-fn check_size(path: &Path) -> Result<(), SkyError> {
-    let (width, height) = picture::dimensions(path)?;
-    let path = path.to_owned();
+fn check_size(file: &PictureFile) -> Result<(), SkyError> {
+    let (width, height) = file.size()?;
+    let path = file.path().to_owned();
     if width < MIN_WIDTH || height < MIN_HEIGHT {
         let (min_width, min_height) = (MIN_WIDTH, MIN_HEIGHT);
         return Err(SkyError::TooSmall {
@@ -95,6 +95,8 @@ fn light_in_row(picture: &Picture, x: f32, row: i64) -> Vec3 {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use image::{Rgb, Rgb32FImage, RgbImage};
 
     use super::*;
@@ -109,7 +111,7 @@ mod tests {
         let sky = saved(
             |path| image.save(path).unwrap(),
             "one.png",
-            |path| load(path).unwrap(),
+            |path| load(&PictureFile::read(path).unwrap()).unwrap(),
         );
         let n = sky.face_texels();
         let dirs = (0..6 * n * n)
@@ -135,7 +137,7 @@ mod tests {
         saved(
             |path| image.save(path).unwrap(),
             "p.exr",
-            |path| Picture::load(path).unwrap(),
+            |path| PictureFile::read(path).unwrap().decode().unwrap(),
         )
     }
 

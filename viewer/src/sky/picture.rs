@@ -1,16 +1,16 @@
 //! A picture file as linear light.
 
-use std::fs::File;
-use std::io::BufReader;
-use std::path::Path;
-
 use glam::Vec3;
-use image::{DynamicImage, ImageError, ImageReader, Limits, Rgb32FImage, RgbImage};
+use image::error::ImageResult;
+use image::{DynamicImage, ImageDecoder, ImageFormat, Limits, Rgb32FImage, RgbImage};
 
-use super::SkyError;
+use super::file::PictureFile;
+use super::{SkyError, memory, openexr};
 
-/// The largest float picture allowed (16384x8192 with alpha) takes 2 GiB; decoders need a copy.
-const MAX_DECODER_BYTES: u64 = 4 << 30;
+/// What a picture may hold beside its pixels, bytes: a colour profile, a description.
+const MAX_BESIDE: u64 = 256 << 20;
+/// The most bytes that a pixel takes while it is decoded: three floats.
+const MAX_PIXEL_BYTES: u64 = 12;
 
 /// A decoded picture. Samples stay in the file's own type until they are looked up, which keeps a
 /// large panorama small.
@@ -26,50 +26,43 @@ enum Samples {
     Linear(Rgb32FImage),
 }
 
-/// Width and height in pixels that the header of the picture file declares.
-pub(super) fn dimensions(path: &Path) -> Result<(u32, u32), SkyError> {
-    let mut reader = open(path)?;
-    // Only the header is read here, so that the caller can name a size that is too large.
-    reader.no_limits();
-    reader
-        .into_dimensions()
-        .map_err(|error| not_a_picture(path, error))
-}
-
 impl Picture {
-    /// Decodes the file. Check its [`dimensions`] first.
-    pub(super) fn load(path: &Path) -> Result<Self, SkyError> {
-        let mut reader = open(path)?;
-        let mut limits = Limits::default();
-        limits.max_alloc = Some(MAX_DECODER_BYTES);
-        reader.limits(limits);
-        let samples = match reader
-            .decode()
-            .map_err(|error| not_a_picture(path, error))?
-        {
+    /// Decodes the file, whose declared size must have been checked.
+    pub(super) fn decode(file: &PictureFile) -> Result<Self, SkyError> {
+        if file.format() == ImageFormat::OpenExr {
+            let image = openexr::decode(file.bytes()).map_err(|error| file.unusable(error))?;
+            return Self::linear(file, image);
+        }
+        match decoded(file)? {
             float @ (DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_)) => {
-                Samples::Linear(checked_light(path, float.into_rgb32f())?)
+                Self::linear(file, float.into_rgb32f())
             }
             deep @ (DynamicImage::ImageLuma16(_)
             | DynamicImage::ImageLumaA16(_)
             | DynamicImage::ImageRgb16(_)
-            | DynamicImage::ImageRgba16(_)) => Samples::Srgb16(deep.into_rgb16()),
-            other => Samples::Srgb8(other.into_rgb8()),
-        };
-        let max = match samples {
-            Samples::Srgb8(_) => u32::from(u8::MAX),
-            Samples::Srgb16(_) => u32::from(u16::MAX),
-            Samples::Linear(_) => {
-                return Ok(Self {
-                    samples,
-                    from_srgb: Vec::new(),
-                });
-            }
-        };
+            | DynamicImage::ImageRgba16(_)) => Ok(Self::srgb(
+                Samples::Srgb16(deep.into_rgb16()),
+                u16::MAX.into(),
+            )),
+            other => Ok(Self::srgb(
+                Samples::Srgb8(other.into_rgb8()),
+                u8::MAX.into(),
+            )),
+        }
+    }
+
+    fn linear(file: &PictureFile, image: Rgb32FImage) -> Result<Self, SkyError> {
+        Ok(Self {
+            samples: Samples::Linear(checked_light(file, image)?),
+            from_srgb: Vec::new(),
+        })
+    }
+
+    fn srgb(samples: Samples, max: u32) -> Self {
         let from_srgb = (0..=max)
             .map(|value| linear_from_srgb(value as f32 / max as f32))
             .collect();
-        Ok(Self { samples, from_srgb })
+        Self { samples, from_srgb }
     }
 
     /// Width and height in pixels.
@@ -98,36 +91,28 @@ impl Picture {
     }
 }
 
-fn open(path: &Path) -> Result<ImageReader<BufReader<File>>, SkyError> {
-    // `ImageReader::open` would fall back on the ending of the name.
-    File::open(path)
-        .and_then(|file| ImageReader::new(BufReader::new(file)).with_guessed_format())
-        .map_err(|cause| SkyError::Unreadable {
-            path: path.to_owned(),
-            cause,
-        })
-}
-
-fn not_a_picture(path: &Path, error: ImageError) -> SkyError {
-    let cause = error
-        .to_string()
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ");
-    SkyError::NotAPicture {
-        path: path.to_owned(),
-        cause,
-    }
+/// The file decoded by the library `image`.
+fn decoded(file: &PictureFile) -> Result<DynamicImage, SkyError> {
+    let (width, height) = file.size()?;
+    let pixels = u64::from(width) * u64::from(height);
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(pixels * MAX_PIXEL_BYTES + MAX_BESIDE);
+    let mut reader = file.reader();
+    reader.limits(limits);
+    let decoder = file.caught(|| reader.into_decoder())?;
+    // The library allocates the pixels once, and some formats as much again while they are decoded.
+    memory::check(2 * decoder.total_bytes()).map_err(|error| file.unusable(error))?;
+    file.caught(|| -> ImageResult<_> { DynamicImage::from_decoder(decoder) })
 }
 
 /// Returns the picture if each of its samples is finite and not negative.
-fn checked_light(path: &Path, image: Rgb32FImage) -> Result<Rgb32FImage, SkyError> {
+fn checked_light(file: &PictureFile, image: Rgb32FImage) -> Result<Rgb32FImage, SkyError> {
     let is_light = |value: f32| value.is_finite() && value >= 0.0;
     let width = image.width().max(1) as usize;
     match image.as_raw().iter().position(|&value| !is_light(value)) {
         None => Ok(image),
         Some(index) => Err(SkyError::NotLight {
-            path: path.to_owned(),
+            path: file.path().to_owned(),
             column: (index / 3 % width) as u32,
             row: (index / 3 / width) as u32,
             value: image.as_raw()[index],

@@ -1,0 +1,47 @@
+//! A panic of somebody else's decoder, turned into an error without a word on standard error.
+
+use std::cell::Cell;
+use std::panic::{self, AssertUnwindSafe};
+use std::sync::Once;
+
+thread_local! {
+    /// Whether this thread is inside of a decoder.
+    static DECODING: Cell<bool> = const { Cell::new(false) };
+}
+
+/// What `decode` returns, or `None` if it panics. It must not start work on other threads: a panic there
+/// would end the program.
+pub fn caught<T>(decode: impl FnOnce() -> T) -> Option<T> {
+    silence_decoders();
+    let before = DECODING.replace(true);
+    // What a panic leaves half done is dropped with the closure.
+    let result = panic::catch_unwind(AssertUnwindSafe(decode));
+    DECODING.set(before);
+    result.ok()
+}
+
+/// From now on a panic inside of a decoder prints nothing; any other goes where it went before.
+fn silence_decoders() {
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        let other_panics = panic::take_hook();
+        panic::set_hook(Box::new(move |info| {
+            if !DECODING.get() {
+                other_panics(info);
+            }
+        }));
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_becomes_nothing() {
+        let words = vec![1, 2, 3];
+        assert_eq!(caught(|| words[words.len()]), None);
+        assert_eq!(caught(|| words[2]), Some(3));
+        assert!(!DECODING.get());
+    }
+}

@@ -1,0 +1,51 @@
+//! The light of an OpenEXR picture.
+
+use image::Rgb32FImage;
+use lensbake_tables::exr_guard::{CheckedExr, ExrError, Limits, RgbBlock, display_size};
+use rayon::prelude::*;
+
+use super::memory::zeros;
+
+/// A data window may be larger than the picture that it belongs to, but not endless: 32768 x 16384.
+const LIMITS: Limits = Limits {
+    pixels: 1 << 29,
+    chunk_bytes: 4 << 30,
+    lossy: true,
+};
+
+/// The picture of the display window: black where there are no data. The caller has checked its size.
+pub(super) fn decode(bytes: &[u8]) -> Result<Rgb32FImage, Box<dyn std::error::Error>> {
+    let file = CheckedExr::open(bytes, &LIMITS)?;
+    let (width, height) = display_size(bytes)?;
+    let samples = zeros(3 * width as usize * height as usize)?;
+    let mut image = Rgb32FImage::from_raw(width, height, samples).ok_or("it is too large")?;
+    let chunks: Vec<usize> = (0..file.chunk_count()).collect();
+    // As many at a time as there are threads, since all pixels of those are in memory twice.
+    for some in chunks.chunks(rayon::current_num_threads()) {
+        let decoded = some.par_iter().map(|&index| file.rgb_block(index));
+        let blocks: Vec<RgbBlock> = decoded.collect::<Result<_, ExrError>>()?;
+        for block in &blocks {
+            put(&mut image, block, file.offset());
+        }
+    }
+    Ok(image)
+}
+
+/// Puts a block where it belongs in the picture; what is outside of it is left out.
+fn put(image: &mut Rgb32FImage, block: &RgbBlock, offset: (i64, i64)) {
+    let (width, height) = (i64::from(image.width()), i64::from(image.height()));
+    let left = offset.0 + block.column as i64;
+    let top = offset.1 + block.row as i64;
+    let samples = image.as_mut();
+    for (row, pixels) in (top..).zip(block.pixels.chunks_exact(block.width)) {
+        if !(0..height).contains(&row) {
+            continue;
+        }
+        let from = (-left).clamp(0, pixels.len() as i64) as usize;
+        let to = (width - left).clamp(from as i64, pixels.len() as i64) as usize;
+        let start = (3 * (row * width + left + from as i64)) as usize;
+        for (index, pixel) in pixels[from..to].iter().enumerate() {
+            samples[start + 3 * index..][..3].copy_from_slice(pixel);
+        }
+    }
+}
