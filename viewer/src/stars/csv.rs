@@ -1,8 +1,12 @@
-//! A person's own catalogue: CSV with a first line that names the columns `ra`, `dec` (degrees), `mag`
-//! and, if known, `bv`, in any order and among any others.
+//! A person's own catalogue: CSV whose header names the columns `ra`, `dec` (degrees), `mag` and, if
+//! known, `bv`, in any order and among any others. Lines that start with `#` are comments, but where no
+//! header follows, the last comment before the data that names the columns is the header.
 
+use super::lines::Lines;
 use super::{Catalogue, DEFAULT_DISC_RADIUS, MAX_STARS, Star, StarsProblem};
-use csv::{ErrorKind, ReaderBuilder, StringRecord, Trim};
+use csv::{ByteRecord, ErrorKind, Reader, ReaderBuilder, StringRecord};
+
+const COMMENT: u8 = b'#';
 
 /// The catalogue in the CSV text `bytes`.
 ///
@@ -10,21 +14,62 @@ use csv::{ErrorKind, ReaderBuilder, StringRecord, Trim};
 /// [`StarsProblem`] says which column is missing or which line is bad.
 pub(super) fn read(bytes: &[u8]) -> Result<Catalogue, StarsProblem> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let mut reader = ReaderBuilder::new()
-        .trim(Trim::All)
-        .flexible(true)
-        .comment(Some(b'#'))
-        .from_reader(bytes);
-    let columns = Columns::of(reader.headers().map_err(not_csv)?)?;
+    let lines = Lines::new(bytes, COMMENT);
+    let mut reader = reader(bytes);
+    let mut record = ByteRecord::new();
+    let first_is_there = next(&mut reader, &mut record)?;
+    let (columns, first_is_star) = match Columns::of(&record) {
+        Ok(columns) => (columns, false),
+        Err(missing) => match header_in_comments(&lines, &record) {
+            Some(columns) => (columns, first_is_there),
+            None => return Err(missing),
+        },
+    };
     let mut stars = Vec::new();
-    let mut record = StringRecord::new();
-    while reader.read_record(&mut record).map_err(not_csv)? {
+    if first_is_star {
+        stars.push(columns.star(&record, &lines)?);
+    }
+    while next(&mut reader, &mut record)? {
         if stars.len() == MAX_STARS {
             return Err(StarsProblem::TooMany { max: MAX_STARS });
         }
-        stars.push(columns.star(&record)?);
+        stars.push(columns.star(&record, &lines)?);
     }
     Catalogue::new(stars, DEFAULT_DISC_RADIUS)
+}
+
+fn reader(bytes: &[u8]) -> Reader<&[u8]> {
+    ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .comment(Some(COMMENT))
+        .from_reader(bytes)
+}
+
+/// Reads the next record, if there is one. Fields of any length and any number are told apart, and bytes of
+/// any kind, so that reading from memory cannot fail.
+fn next(reader: &mut Reader<&[u8]>, record: &mut ByteRecord) -> Result<bool, StarsProblem> {
+    reader
+        .read_byte_record(record)
+        .map_err(|error| match error.into_kind() {
+            ErrorKind::Io(error) => StarsProblem::Io(error),
+            _ => StarsProblem::Line {
+                line: 1,
+                reason: "its fields cannot be told apart",
+            },
+        })
+}
+
+/// The columns by the last comment that names them, of those before the first record.
+fn header_in_comments(lines: &Lines<'_>, first: &ByteRecord) -> Option<Columns> {
+    let comments = lines.before(first).rev();
+    let comments = comments.filter_map(|line| line.strip_prefix(&[COMMENT]));
+    let mut headers = comments.filter_map(|comment| {
+        let mut record = ByteRecord::new();
+        next(&mut reader(comment), &mut record).ok()?;
+        Columns::of(&record).ok()
+    });
+    headers.next()
 }
 
 /// In which field of a line stands what.
@@ -36,11 +81,11 @@ struct Columns {
 }
 
 impl Columns {
-    fn of(header: &StringRecord) -> Result<Self, StarsProblem> {
+    fn of(header: &ByteRecord) -> Result<Self, StarsProblem> {
         let find = |name: &str| {
             header
                 .iter()
-                .position(|field| field.eq_ignore_ascii_case(name))
+                .position(|field| field.trim_ascii().eq_ignore_ascii_case(name.as_bytes()))
         };
         let need = |name| find(name).ok_or(StarsProblem::Column(name));
         Ok(Columns {
@@ -51,14 +96,20 @@ impl Columns {
         })
     }
 
-    fn star(&self, record: &StringRecord) -> Result<Star, StarsProblem> {
-        let line = record.position().map_or(0, csv::Position::line);
+    fn star(&self, record: &ByteRecord, lines: &Lines<'_>) -> Result<Star, StarsProblem> {
+        let record = &StringRecord::from_byte_record(record.clone()).map_err(|error| {
+            let field = error.utf8_error().field();
+            StarsProblem::Line {
+                line: lines.of_field(record, field),
+                reason: "it is not UTF-8",
+            }
+        })?;
         let number = |column, index, range: std::ops::RangeInclusive<f64>, expected| {
-            let text = record.get(index).unwrap_or("");
+            let text = record.get(index).unwrap_or("").trim();
             match text.parse::<f64>() {
                 Ok(value) if range.contains(&value) => Ok(value),
                 _ => Err(StarsProblem::Value {
-                    line,
+                    line: lines.of_field(record.as_byte_record(), index),
                     column,
                     found: text.escape_debug().take(30).collect(),
                     expected,
@@ -75,7 +126,10 @@ impl Columns {
                 "a colour index from -5 to 20, or empty",
             )
         };
-        let has_colour = |index: &usize| record.get(*index).is_some_and(|text| !text.is_empty());
+        let has_colour = |index: &usize| {
+            let text = record.get(*index);
+            text.is_some_and(|text| !text.trim().is_empty())
+        };
         Ok(Star {
             right_ascension: number("ra", self.ra, -360.0..=360.0, degrees)?.to_radians(),
             declination: number("dec", self.dec, -90.0..=90.0, "degrees from -90 to 90")?
@@ -83,21 +137,6 @@ impl Columns {
             magnitude: number("mag", self.mag, -30.0..=30.0, magnitudes)?,
             colour_index: self.bv.filter(has_colour).map(colour).transpose()?,
         })
-    }
-}
-
-fn not_csv(error: csv::Error) -> StarsProblem {
-    let line = error.position().map_or(1, csv::Position::line);
-    match error.into_kind() {
-        ErrorKind::Io(error) => StarsProblem::Io(error),
-        ErrorKind::Utf8 { .. } => StarsProblem::Line {
-            line,
-            reason: "it is not UTF-8",
-        },
-        _ => StarsProblem::Line {
-            line,
-            reason: "its fields cannot be told apart",
-        },
     }
 }
 

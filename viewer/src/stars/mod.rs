@@ -21,6 +21,7 @@ mod field;
 mod hipparcos;
 pub mod images;
 pub mod kernel;
+mod lines;
 pub mod ways;
 
 pub use catalogue::{Catalogue, DEFAULT_DISC_RADIUS, MAX_DISC_RADIUS, MAX_STARS, Star, direction};
@@ -56,13 +57,20 @@ pub fn load(source: &StarSource) -> Result<Catalogue, StarsError> {
         StarSource::Hipparcos => Ok(hipparcos()),
         StarSource::File(path) => {
             let bytes = read(path)?;
-            let catalogue = if compact::is_compact(&bytes) {
-                from_bytes(&bytes)
-            } else {
-                csv::read(&bytes)
-            };
-            catalogue.map_err(|problem| StarsError::new(path, problem))
+            catalogue_from_bytes(&bytes).map_err(|problem| StarsError::new(path, problem))
         }
+    }
+}
+
+/// The catalogue in the bytes of a file of either format.
+///
+/// # Errors
+/// A [`StarsProblem`] says what is wrong with them.
+pub fn catalogue_from_bytes(bytes: &[u8]) -> Result<Catalogue, StarsProblem> {
+    if compact::is_compact(bytes) {
+        from_bytes(bytes)
+    } else {
+        csv::read(bytes)
     }
 }
 
