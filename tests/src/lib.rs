@@ -3,6 +3,7 @@
 mod damaged;
 #[cfg(target_os = "linux")]
 pub mod desktop;
+pub mod exr_files;
 pub mod probe;
 #[cfg(unix)]
 pub mod streams;
@@ -100,6 +101,18 @@ impl Program {
         let output = child.wait_with_output().unwrap();
         feeder.join().unwrap();
         output
+    }
+
+    /// Runs the program without input and with 1 GiB of address space, so that an allocation on a file's
+    /// word ends it with a signal.
+    ///
+    /// # Panics
+    /// As [`Program::run_with`].
+    #[cfg(unix)]
+    pub fn run_in_little_memory(&self, args: &[&str]) -> Run {
+        const LIMITED: &str = "ulimit -v 1048576 && exec \"$0\" \"$@\"";
+        let shell = Program::at("/bin/sh");
+        shell.run(&[&["-c", LIMITED, self.path], args].concat())
     }
 
     /// Runs the program without input.

@@ -1,19 +1,15 @@
 #![cfg(unix)]
 //! Damaged skies: the program ends with one line and exit code 2, whatever the file asks for.
 
-mod exr_files;
-
 use exr::prelude::{Blocks, Compression, Vec2};
-use exr_files::{
+use lensbake_tests::Program;
+use lensbake_tests::exr_files::{
     COMPRESSIONS, HEIGHT, Samples, WIDTH, attribute, first_chunk, picture, table_of_chunks, with,
 };
-use lensbake_tests::Program;
 use std::path::Path;
 use viewer::sky::{self, SkySource};
 
-const SHELL: Program = Program::at("/bin/sh");
-/// Runs the program with 1 GiB of address space: an allocation on a file's word ends it with a signal.
-const LIMITED: &str = "ulimit -v 1048576 && exec \"$0\" \"$@\"";
+const VIEWER: Program = Program::at(env!("CARGO_BIN_EXE_viewer"));
 /// Those of the eleven counters at the start of a DWA chunk that an allocation may follow in a file with
 /// lossy channels alone: all but the version, the two of the run lengths of alpha, and the kind of coding.
 const DWA_COUNTERS: [usize; 7] = [1, 2, 3, 4, 5, 8, 9];
@@ -25,9 +21,10 @@ fn refused(bytes: &[u8], what: &str) {
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let (sky, out) = (path("sky.exr"), path("out.png"));
     std::fs::write(&sky, bytes).unwrap();
-    let viewer = ["-c", LIMITED, env!("CARGO_BIN_EXE_viewer"), "render"];
-    let args = ["-d", "cpu", "--size", "16x8", "-s", &sky, "-o", &out];
-    let run = SHELL.run(&[&viewer[..], &args].concat());
+    let args = [
+        "render", "-d", "cpu", "--size", "16x8", "-s", &sky, "-o", &out,
+    ];
+    let run = VIEWER.run_in_little_memory(&args);
     assert_eq!(run.code, 2, "{what}: {run:?}");
     run.refuses(&[&sky]);
 }
@@ -112,6 +109,60 @@ fn a_picture_larger_than_its_file_can_hold_allocates_nothing() {
 fn with_chunk_count(file: Vec<u8>, count: u32) -> Vec<u8> {
     let at = attribute(&file, "chunkCount");
     with(file, at, &count.to_le_bytes())
+}
+
+/// Pictures of 16384 x 8192 pixels, which a sky may have, in files that end behind their headers.
+#[test]
+fn large_pictures_that_are_not_there_are_no_end() {
+    refused(b"#?RADIANCE\n\n-Y 8192 +X 16384\n\x02\x02\x40\x00", "HDR");
+    refused(&png([16384, 8192], &[]), "PNG");
+}
+
+/// A colour profile of 13 MB that unpacks to 2 GiB.
+#[test]
+fn a_colour_profile_takes_no_more_memory_than_a_picture() {
+    let profile = [&b"bomb\0\0"[..], &two_gibibytes_of_zeros()].concat();
+    refused(&png([32, 16], &profile), "iCCP");
+}
+
+/// A PNG with 16 bits and four channels, without any pixels.
+fn png(size: [u32; 2], profile: &[u8]) -> Vec<u8> {
+    let mut file = b"\x89PNG\r\n\x1a\n".to_vec();
+    let mut chunk = |name: &[u8], content: &[u8]| {
+        let body = [name, content].concat();
+        file.extend((content.len() as u32).to_be_bytes());
+        file.extend(&body);
+        file.extend(crc32fast::hash(&body).to_be_bytes());
+    };
+    let [width, height] = size.map(u32::to_be_bytes);
+    chunk(b"IHDR", &[&width[..], &height, &[16, 6, 0, 0, 0]].concat());
+    if !profile.is_empty() {
+        chunk(b"iCCP", profile);
+    }
+    chunk(b"IDAT", b"\x78\x01");
+    file
+}
+
+/// As zlib packs them: a zero, then 2^31 / 258 times "the last 258 bytes again", in 13 bits each.
+fn two_gibibytes_of_zeros() -> Vec<u8> {
+    // From the lowest bit on: last block, fixed codes; the code of the literal 0.
+    let (mut bits, mut count) = (0b0000_1100_011_u64, 11);
+    let mut packed = vec![0x78, 0x01];
+    let mut put = |code: u64, length: u32| {
+        bits |= code << count;
+        count += length;
+        while count >= 8 {
+            packed.push(bits as u8);
+            bits >>= 8;
+            count -= 8;
+        }
+    };
+    for _ in 0..(1_u32 << 31) / 258 {
+        // The code of length 258, 11000101 from its first bit on, and five zeros for the distance 1.
+        put(0b1010_0011, 13);
+    }
+    put(0, 16);
+    packed
 }
 
 /// Random damage, the same each time: single bytes, words that count much, and cut ends.

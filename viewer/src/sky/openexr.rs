@@ -6,17 +6,20 @@ use rayon::prelude::*;
 
 use super::memory::zeros;
 
-/// A data window may be larger than the picture that it belongs to, but not endless: 32768 x 16384.
-const LIMITS: Limits = Limits {
-    pixels: 1 << 29,
-    chunk_bytes: 4 << 30,
-    lossy: true,
-};
+/// A data window may be larger than the picture that it belongs to, but not endless: this many times.
+const MAX_OVERSCAN: u64 = 4;
+/// No chunk is larger, bytes: a tile of 8192 x 8192 pixels with four floats each.
+const MAX_CHUNK_BYTES: u64 = 1 << 30;
 
 /// The picture of the display window: black where there are no data. The caller has checked its size.
 pub(super) fn decode(bytes: &[u8]) -> Result<Rgb32FImage, Box<dyn std::error::Error>> {
-    let file = CheckedExr::open(bytes, &LIMITS)?;
     let (width, height) = display_size(bytes)?;
+    let limits = Limits {
+        pixels: MAX_OVERSCAN * u64::from(width) * u64::from(height),
+        chunk_bytes: MAX_CHUNK_BYTES,
+        lossy: true,
+    };
+    let file = CheckedExr::open(bytes, &limits)?;
     let samples = zeros(3 * width as usize * height as usize)?;
     let mut image = Rgb32FImage::from_raw(width, height, samples).ok_or("it is too large")?;
     let chunks: Vec<usize> = (0..file.chunk_count()).collect();

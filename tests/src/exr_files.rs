@@ -5,7 +5,9 @@ use exr::meta::attribute::LineOrder;
 use exr::prelude::{Blocks, Compression, LayerAttributes, Vec2, WritableImage, f16};
 use std::io::Cursor;
 
+/// Width of each picture in pixels.
 pub const WIDTH: usize = 32;
+/// Height of each picture in pixels.
 pub const HEIGHT: usize = 16;
 
 /// Every compression that the decoder knows.
@@ -25,8 +27,11 @@ pub const COMPRESSIONS: [Compression; 10] = [
 /// How the samples of a channel are stored.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Samples {
+    /// 16-bit floats.
     Half,
+    /// 32-bit floats.
     Float,
+    /// 32-bit integers.
     Uint,
 }
 
@@ -38,6 +43,9 @@ pub fn value(channel: usize, index: usize) -> f32 {
 }
 
 /// A picture of 32 x 16 pixels in this encoding, as a file's bytes.
+///
+/// # Panics
+/// If it is not encoded.
 pub fn picture(compression: Compression, blocks: Blocks, samples: Samples) -> Vec<u8> {
     let values = |channel| (0..WIDTH * HEIGHT).map(move |index| value(channel, index));
     let channel = |name: &str, channel: usize| {
@@ -66,6 +74,9 @@ pub fn picture(compression: Compression, blocks: Blocks, samples: Samples) -> Ve
 }
 
 /// Where the value of an attribute starts.
+///
+/// # Panics
+/// If the file has no such attribute.
 pub fn attribute(file: &[u8], name: &str) -> usize {
     let (_, at) = attributes(file)
         .into_iter()
@@ -75,12 +86,18 @@ pub fn attribute(file: &[u8], name: &str) -> usize {
 }
 
 /// Where the file's first chunk starts: by the first entry of the table behind the header.
+///
+/// # Panics
+/// If the file ends before.
 pub fn first_chunk(file: &[u8]) -> usize {
     let table = table_of_chunks(file);
     u64::from_le_bytes(file[table..table + 8].try_into().unwrap()) as usize
 }
 
 /// Where the table of chunks starts.
+///
+/// # Panics
+/// If the file ends before.
 pub fn table_of_chunks(file: &[u8]) -> usize {
     let (_, last) = attributes(file).pop().unwrap();
     last + 1
@@ -104,6 +121,9 @@ fn attributes(file: &[u8]) -> Vec<(String, usize)> {
 }
 
 /// The file with these bytes in the place of its own.
+///
+/// # Panics
+/// If it is too short.
 pub fn with(mut file: Vec<u8>, at: usize, bytes: &[u8]) -> Vec<u8> {
     file[at..at + bytes.len()].copy_from_slice(bytes);
     file
