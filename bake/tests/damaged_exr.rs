@@ -9,6 +9,7 @@ const BAKE: Program = Program::at(env!("CARGO_BIN_EXE_bake"));
 /// What the numbers of the attribute `compression` stand for.
 const NONE: u8 = 0;
 const RLE: u8 = 1;
+const ZIP: [u8; 2] = [2, 3];
 const PXR24: u8 = 5;
 const DWAA: u8 = 8;
 const AFTER_THE_LAST: u8 = 12;
@@ -37,9 +38,9 @@ fn with_compression(compression: u8) -> Vec<u8> {
 #[test]
 fn a_table_in_another_compression_is_refused() {
     for compression in NONE..=AFTER_THE_LAST {
-        let damaged = with_compression(compression);
-        if damaged != ATLAS_EXR {
-            refused(&damaged, &[]);
+        // The two kinds of ZIP differ in how many lines a chunk has, and tiles have their own.
+        if !ZIP.contains(&compression) {
+            refused(&with_compression(compression), &[]);
         }
     }
     refused(&with_compression(PXR24), &["pxr24", "ZIP"]);
@@ -72,7 +73,8 @@ fn chunks_that_cannot_be_allocate_nothing() {
         refused(&damaged, &["chunk 0"]);
     }
     // All chunks are the same one.
-    if ATLAS_EXR.len() > table + 16 {
+    let count = attribute(ATLAS_EXR, "chunkCount");
+    if ATLAS_EXR[count..count + 4] != 1_u32.to_le_bytes() {
         let second = ATLAS_EXR[table + 8..table + 16].to_vec();
         let damaged = with(ATLAS_EXR.to_vec(), table, &second);
         refused(&damaged, &["chunk 1", "has the place of another"]);
