@@ -3,13 +3,12 @@
 use crate::rays::Sight;
 use lensbake_core::rk4::Stepper;
 use lensbake_core::{CoreError, EdgeCoordinate, Fate, Observer, Ray, direct, exact};
+use lensbake_tables::text::excerpt;
 use lensbake_tables::{Row, Table, TableError};
 use thiserror::Error;
 
 /// The longest line that is a question, bytes.
 pub const MAX_LINE: usize = 4096;
-/// As much of a bad line is shown, characters.
-const EXCERPT: usize = 40;
 
 /// Which ray is asked about: where an observer looks.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -139,16 +138,6 @@ fn number(word: &str) -> Result<f64, QuestionError> {
         .map_err(|_| QuestionError::Number(excerpt(word)))
 }
 
-/// The beginning of a text, without control characters.
-fn excerpt(text: &str) -> String {
-    let mut characters = text.chars().flat_map(char::escape_debug);
-    let mut excerpt: String = characters.by_ref().take(EXCERPT).collect();
-    if characters.next().is_some() {
-        excerpt.push('…');
-    }
-    excerpt
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -168,7 +157,7 @@ mod tests {
         for (line, word) in [
             ("10", "R THETA_DEG"),
             ("10 20 30", "R THETA_DEG"),
-            (long.as_str(), "xxx…"),
+            (long.as_str(), "xxx..."),
             ("ten 30", "'ten' is not a number"),
             ("10 \u{1b}[2J", "\\u{1b}[2J"),
             ("10 181", "181"),
