@@ -348,3 +348,30 @@ fn a_table_is_read_from_a_pipe() {
             .contains("residual")
     );
 }
+
+/// Killed at any moment, the program leaves the old file or the new one.
+#[test]
+fn an_interruption_leaves_the_old_file_or_the_new_one() {
+    let folder = Folder::new();
+    let file = folder.path("table.lbt");
+    let bake = |texels: &str| {
+        let mut command = BAKE.command();
+        command.args(["--texels", texels, "-o", text(&file)]);
+        command.stderr(Stdio::null());
+        command
+    };
+    assert!(bake("16").status().unwrap().success());
+    let old = fs::read(&file).unwrap();
+    let twin = folder.path("twin.lbt");
+    BAKE.run(&["--texels", "512", "-o", text(&twin)]).succeeds();
+    let new = fs::read(&twin).unwrap();
+    for delay in 0..40 {
+        fs::write(&file, &old).unwrap();
+        let mut child = bake("512").spawn().unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(10 * delay));
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let left = fs::read(&file).unwrap();
+        assert!(left == old || left == new, "after {} ms", 10 * delay);
+    }
+}
