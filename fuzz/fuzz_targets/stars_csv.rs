@@ -16,7 +16,11 @@ fuzz_target!(|bytes: &[u8]| {
         Err(problem) => {
             one_line(&problem);
             if let StarsProblem::Line { line, .. } | StarsProblem::Value { line, .. } = problem {
-                assert!((1..=lines(bytes)).contains(&line), "{line} of {}", lines(bytes));
+                assert!(
+                    (1..=lines(bytes)).contains(&line),
+                    "{line} of {}",
+                    lines(bytes)
+                );
             }
         }
     }

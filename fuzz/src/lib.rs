@@ -18,7 +18,8 @@ pub fn repaired(
         Ok(table) => Some(table),
         Err(Problem::Checksum { found, .. }) => {
             let at = checksum_place(&file)?;
-            file.get_mut(at..at + 4)?.copy_from_slice(&found.to_le_bytes());
+            file.get_mut(at..at + 4)?
+                .copy_from_slice(&found.to_le_bytes());
             read(&file).inspect_err(one_line).ok()
         }
         Err(problem) => {
@@ -85,10 +86,11 @@ pub fn exercise_table(table: &Table) {
 
 /// From the edge of the shadow to straight away.
 fn edge_coordinates() -> impl Iterator<Item = EdgeCoordinate> {
-    let near_edge = [0.0, f64::MIN_POSITIVE, 1e-300, 1e-16, 1e-9].map(|one_minus_x| EdgeCoordinate {
-        x: 1.0 - one_minus_x,
-        one_minus_x,
-    });
+    let near_edge =
+        [0.0, f64::MIN_POSITIVE, 1e-300, 1e-16, 1e-9].map(|one_minus_x| EdgeCoordinate {
+            x: 1.0 - one_minus_x,
+            one_minus_x,
+        });
     let rest = [1.0 - 1e-6, 0.9, 0.5, 0.1, 1e-9, 1e-300, 0.0].map(|x| EdgeCoordinate {
         x,
         one_minus_x: 1.0 - x,

@@ -1,0 +1,76 @@
+//! What fuzzing has found stays mended: each file in `fuzz/findings` once broke a program. A file is asked
+//! what its fuzz target asks, and may be refused in one line or taken.
+
+use lensbake_core::{EdgeCoordinate, Fate};
+use lensbake_tables::container;
+use lensbake_tests::workspace;
+use std::fs;
+use std::path::PathBuf;
+use viewer::sky::panorama_from_bytes;
+use viewer::stars::catalogue_from_bytes;
+
+/// The files that a target has found.
+fn findings(target: &str) -> Vec<(PathBuf, Vec<u8>)> {
+    let folder = workspace().join("fuzz/findings").join(target);
+    let Ok(entries) = fs::read_dir(folder) else {
+        return Vec::new();
+    };
+    let paths = entries.map(|entry| entry.unwrap().path());
+    paths
+        .map(|path| (path.clone(), fs::read(path).unwrap()))
+        .collect()
+}
+
+fn one_line(path: &PathBuf, message: &impl ToString) {
+    let message = message.to_string();
+    assert_eq!(
+        message.lines().count(),
+        1,
+        "{}: {message:?}",
+        path.display()
+    );
+}
+
+#[test]
+fn tables() {
+    for target in ["table_binary", "table_exr"] {
+        let findings = findings(target);
+        assert!(!findings.is_empty(), "{target}");
+        for (path, bytes) in findings {
+            let table = match container::from_bytes(&bytes) {
+                Ok(table) => table,
+                Err(problem) => {
+                    one_line(&path, &problem);
+                    continue;
+                }
+            };
+            let row = table.row(table.header().observer(0)).unwrap();
+            for one_minus_x in [f64::MIN_POSITIVE, 1e-9, 0.1, 0.5, 1.0] {
+                let x = 1.0 - one_minus_x;
+                if let Fate::Escapes(bend) = row.bend(EdgeCoordinate { x, one_minus_x }) {
+                    assert!(!bend.is_nan(), "{}", path.display());
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn star_catalogues() {
+    for target in ["stars_csv", "stars_compact"] {
+        for (path, bytes) in findings(target) {
+            if let Err(problem) = catalogue_from_bytes(&bytes) {
+                one_line(&path, &problem);
+            }
+        }
+    }
+}
+
+#[test]
+fn skies() {
+    for (path, bytes) in findings("sky") {
+        if let Err(error) = panorama_from_bytes(&path, bytes) {
+            one_line(&path, &error);
+        }
+    }
+}
