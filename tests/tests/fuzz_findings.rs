@@ -5,7 +5,7 @@ use lensbake_core::{EdgeCoordinate, Fate};
 use lensbake_tables::container;
 use lensbake_tests::workspace;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use viewer::sky::panorama_from_bytes;
 use viewer::stars::catalogue_from_bytes;
 
@@ -21,7 +21,7 @@ fn findings(target: &str) -> Vec<(PathBuf, Vec<u8>)> {
         .collect()
 }
 
-fn one_line(path: &PathBuf, message: &impl ToString) {
+fn one_line(path: &Path, message: &impl ToString) {
     let message = message.to_string();
     assert_eq!(
         message.lines().count(),

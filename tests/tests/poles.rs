@@ -77,7 +77,7 @@ fn at(scene: &Scene) -> String {
 /// The pixel in the middle of an odd-sized picture, and the mean of the eight about it.
 fn middle_and_neighbours(picture: &Picture) -> Option<(Vec3, Vec3)> {
     let (width, height) = (picture.width(), picture.height());
-    if width % 2 == 0 || height % 2 == 0 {
+    if width.is_multiple_of(2) || height.is_multiple_of(2) {
         return None;
     }
     let pixel = |x: u32, y: u32| Vec3::from(picture.pixels()[(y * width + x) as usize]);
@@ -112,7 +112,7 @@ fn check_smooth(_: &Sky, scene: &Scene, picture: &Picture) {
 fn check_grid(sky: &Sky, scene: &Scene, picture: &Picture) {
     const HAIR: f64 = 1e-5;
     let camera = &scene.camera;
-    if camera.width % 2 == 0 || camera.observer.edge_angle() > 2.0 {
+    if camera.width.is_multiple_of(2) || camera.observer.edge_angle() > 2.0 {
         return;
     }
     let turned = DMat3::from_rotation_y(HAIR);
