@@ -40,7 +40,7 @@ pub fn run(args: &BakeArgs) -> Result<Outcome, CommandError> {
             .encode(&table)
             .map_err(|problem| ContainerError::new(output.path(), problem))?;
         output.write(&bytes)?;
-        message!("wrote {}", output.path().display());
+        message!("wrote {}", output.name());
     }
     Ok(Outcome::Done)
 }

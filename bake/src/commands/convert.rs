@@ -12,6 +12,6 @@ pub fn run(from: &Path, to: &Path) -> Result<Outcome, CommandError> {
         .encode(&container::read(from)?)
         .map_err(|problem| ContainerError::new(to, problem))?;
     output.write(&bytes)?;
-    message!("wrote {}", to.display());
+    message!("wrote {}", output.name());
     Ok(Outcome::Done)
 }

@@ -16,6 +16,7 @@ pub use error::{OutputError, OutputProblem};
 pub use folder::OutputFolder;
 
 use resolve::{Destination, resolve};
+use std::borrow::Cow;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
@@ -66,6 +67,14 @@ impl Output {
     /// The path as it was given.
     pub fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// What a message calls it: its path, or "standard output".
+    pub fn name(&self) -> Cow<'_, str> {
+        match self.destination {
+            Destination::StandardOutput => "standard output".into(),
+            Destination::Stream | Destination::File(_) => self.path.to_string_lossy(),
+        }
     }
 
     /// Whether it is standard output.

@@ -54,6 +54,6 @@ pub fn run(args: &BenchArgs) -> Result<Outcome, CommandError> {
 
 fn write(file: &Output, text: &str) -> Result<(), CommandError> {
     file.write(text.as_bytes())?;
-    message!("wrote {}", file.path().display());
+    message!("wrote {}", file.name());
     Ok(())
 }

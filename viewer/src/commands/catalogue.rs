@@ -18,7 +18,7 @@ pub fn run(args: &CatalogueArgs) -> Result<Outcome, CommandError> {
     output.write(&bytes)?;
     message!(
         "wrote {}: {} stars, {} bytes",
-        args.output.display(),
+        output.name(),
         catalogue.stars().len(),
         bytes.len()
     );

@@ -45,7 +45,7 @@ pub fn run(args: &ChartArgs) -> Result<Outcome, CommandError> {
     png.write(&drawing::png(&figure)?)?;
     message!("measured on {}", chart.adapter);
     for file in [table, svg, png] {
-        message!("wrote {}", file.path().display());
+        message!("wrote {}", file.name());
     }
     Ok(Outcome::Done)
 }

@@ -74,7 +74,7 @@ pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
         pictures_line(&PictureDifference::of(&lut.picture, &direct.picture)),
     ));
     written?;
-    message!("wrote {}", args.output.display());
+    message!("wrote {}", output.name());
     printer.finish()?;
     Ok(outcome(&statistics, args.budget_px))
 }

@@ -60,7 +60,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     if scene.sampling == Sampling::Filtered {
         message!("{}", extra_rays(&scene));
     }
-    message!("wrote {}", args.output.display());
+    message!("wrote {}", file.output.name());
     if let Some(lost) = picture.without_value() {
         say_lost(lost, &picture, scene.method);
         outcome = Outcome::Missed;
