@@ -68,7 +68,7 @@ fn stars() {
         right_ascension: f64::from(index),
         declination: 0.3 * f64::from(index) - 1.4,
         magnitude: 2.0 * f64::from(index) - 1.5,
-        colour_index: (index % 2 == 0).then_some(0.4),
+        colour_index: index.is_multiple_of(2).then_some(0.4),
     };
     for count in [1, 5] {
         let catalogue = Catalogue::new((0..count).map(star).collect(), 1e-8).unwrap();
