@@ -35,6 +35,11 @@ impl PictureFile {
         let mut read = |most| (&mut file).take(most).read_to_end(&mut bytes);
         read(SIGNATURE).map_err(unreadable)?;
         format(path, &bytes)?;
+        // A regular file has a length; what cannot be reserved now is an error when it is read.
+        if let Ok(metadata) = file.metadata() {
+            let length = metadata.len().min(MAX_BYTES) as usize;
+            let _ = bytes.try_reserve_exact(length.saturating_sub(bytes.len()));
+        }
         let mut read = |most| (&mut file).take(most).read_to_end(&mut bytes);
         read(MAX_BYTES + 1 - SIGNATURE).map_err(unreadable)?;
         Self::of(path, bytes)

@@ -107,7 +107,7 @@ pub fn load(source: &SkySource) -> Result<Sky, SkyError> {
         SkySource::Starmap => Ok(starmap(BUILT_IN_FACE_TEXELS)),
         SkySource::Grid => Ok(grid(BUILT_IN_FACE_TEXELS)),
         SkySource::Stars => Ok(Sky::from_fn(1, |_| Vec3::ZERO)),
-        SkySource::Panorama(path) => panorama::load(&PictureFile::read(path)?),
+        SkySource::Panorama(path) => panorama::load(PictureFile::read(path)?),
         SkySource::Faces(paths) => faces::load(paths),
     }
 }
@@ -119,7 +119,7 @@ pub fn load(source: &SkySource) -> Result<Sky, SkyError> {
 ///
 /// A [`SkyError`] says why the bytes cannot be used.
 pub fn panorama_from_bytes(path: &Path, bytes: Vec<u8>) -> Result<Sky, SkyError> {
-    panorama::load(&PictureFile::of(path, bytes)?)
+    panorama::load(PictureFile::of(path, bytes)?)
 }
 
 /// Returns the width and height in pixels that the header of a picture file declares; errors name `path`,

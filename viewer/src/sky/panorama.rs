@@ -16,9 +16,11 @@ const MAX_HEIGHT: u32 = 8192;
 const MAX_FACE_TEXELS: u32 = 4096;
 
 /// Returns the sky of the panorama in `file`.
-pub(super) fn load(file: &PictureFile) -> Result<Sky, SkyError> {
-    check_size(file)?;
+pub(super) fn load(file: PictureFile) -> Result<Sky, SkyError> {
+    check_size(&file)?;
     let picture = file.decode()?;
+    // The sky needs as much memory again.
+    drop(file);
     let (width, _) = picture.size();
     Ok(Sky::from_fn(face_texels(width), |dir| light(&picture, dir)))
 }
@@ -111,7 +113,7 @@ mod tests {
         let sky = saved(
             |path| image.save(path).unwrap(),
             "one.png",
-            |path| load(&PictureFile::read(path).unwrap()).unwrap(),
+            |path| load(PictureFile::read(path).unwrap()).unwrap(),
         );
         let n = sky.face_texels();
         let dirs = (0..6 * n * n)
