@@ -76,11 +76,11 @@ impl Renderer {
             ],
         );
         let frame_layout = |label, output| {
-            let row = texture_binding(TextureViewDimension::D1, false);
+            let row = texture_binding(TextureViewDimension::D2, false);
             let blocks = storage_buffer_binding(true);
             layout(label, &[uniform_binding(true), row, output, blocks])
         };
-        let row = texture_binding(TextureViewDimension::D1, false);
+        let row = texture_binding(TextureViewDimension::D2, false);
         let written = storage_buffer_binding(false);
         let renderer = Renderer {
             sort_layout: layout(
