@@ -33,7 +33,7 @@ use viewer::window::WindowError;
 #[derive(Debug, Error)]
 pub enum CommandError {
     /// The view makes no camera.
-    #[error(transparent)]
+    #[error("{}: {_0}", flag_of(_0))]
     Camera(#[from] CameraError),
     /// A table file.
     #[error(transparent)]
@@ -99,6 +99,16 @@ pub enum CommandError {
     Stdout(io::Error),
 }
 
+/// The flag whose value makes no camera.
+fn flag_of(error: &CameraError) -> String {
+    match error {
+        CameraError::Radius(_) | CameraError::TooFar(_) => "--radius".into(),
+        CameraError::FieldOfView(_) => "--fov".into(),
+        CameraError::Angle { what, .. } => format!("--{what}"),
+        CameraError::Size { .. } => "--size".into(),
+    }
+}
+
 /// To standard output, as soon as it is known.
 fn print(text: &str) -> Result<(), CommandError> {
     let mut stdout = io::stdout();
@@ -158,6 +168,8 @@ fn gpu(device: DeviceName) -> Result<Option<Gpu>, GpuError> {
         DeviceName::Gpu => Gpu::open().map(Some),
         DeviceName::Auto => match Gpu::open() {
             Ok(gpu) => Ok(Some(gpu)),
+            // What a person has set and misspelt is not passed over.
+            Err(error @ GpuError::Backend { .. }) => Err(error),
             Err(error) => {
                 eprintln!("viewer: drawing on the CPU: {error}");
                 Ok(None)

@@ -3,11 +3,15 @@
 use super::{CommandError, stars_of, table};
 use crate::cli::WindowArgs;
 use lensbake_report::Outcome;
+use viewer::camera::Camera;
 use viewer::scene::Method;
 use viewer::stars::StarSource;
 use viewer::window::{self, Options};
 
 pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
+    let view = args.view.view(args.size);
+    // Named by its flag here; the window knows no flags.
+    Camera::new(&view)?;
     let step = args.view.step;
     Method::check_step(step).map_err(|problem| CommandError::Scene {
         name: "--step".into(),
@@ -18,7 +22,7 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
     let stars = stars_of(&args.stars, &source.unwrap_or(StarSource::Hipparcos))?;
     let (table, table_name) = table(&args.view)?;
     window::run(Options {
-        view: args.view.view(args.size),
+        view,
         step,
         sky: args.view.sky.clone(),
         stars,

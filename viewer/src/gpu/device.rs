@@ -1,5 +1,6 @@
 //! A device to compute on, and buffers brought back from it.
 
+use super::backend;
 use std::sync::{Arc, Mutex};
 use thiserror::Error;
 use wgpu::*;
@@ -13,6 +14,17 @@ pub enum GpuError {
          brings one in software), or draw without one: viewer render --device cpu"
     )]
     NoAdapter,
+    /// `WGPU_BACKEND` asks for a backend that there is none of.
+    #[error(
+        "WGPU_BACKEND is '{asked}', which names a backend that is unknown or not available on this system: \
+         set it to {known}, or leave it unset"
+    )]
+    Backend {
+        /// What it holds.
+        asked: String,
+        /// The names that it may hold.
+        known: String,
+    },
     /// There is one, but it does not open.
     #[error("the GPU {adapter} cannot be opened: {reason}")]
     NoDevice {
@@ -57,9 +69,18 @@ impl Gpu {
     /// Opens the fastest adapter there is; `WGPU_BACKEND` chooses the backend.
     ///
     /// # Errors
-    /// [`GpuError::NoAdapter`] without one, [`GpuError::NoDevice`] if it does not open.
+    /// [`GpuError::Backend`] if it names none, [`GpuError::NoAdapter`] without an adapter,
+    /// [`GpuError::NoDevice`] if it does not open.
     pub fn open() -> Result<Self, GpuError> {
-        pollster::block_on(Self::on_adapter(new_instance(), None))
+        pollster::block_on(Self::on_adapter(new_instance()?, None))
+    }
+
+    /// Checks that `WGPU_BACKEND` names backends that there are, or is not set. Opens nothing.
+    ///
+    /// # Errors
+    /// [`GpuError::Backend`] if it does not.
+    pub fn check_backend() -> Result<(), GpuError> {
+        backend::asked_for().map(|_| ())
     }
 
     /// Opens the fastest adapter that can draw to `window`, with a surface to draw to.
@@ -69,7 +90,7 @@ impl Gpu {
     pub fn open_for(
         window: impl Into<SurfaceTarget<'static>>,
     ) -> Result<(Self, Surface<'static>), GpuError> {
-        let instance = new_instance();
+        let instance = new_instance()?;
         let surface = instance
             .create_surface(window)
             .map_err(|e| GpuError::NoSurface(one_line(&e.to_string())))?;
@@ -232,14 +253,15 @@ impl Gpu {
     }
 }
 
-fn new_instance() -> Instance {
+fn new_instance() -> Result<Instance, GpuError> {
     let mut descriptor = InstanceDescriptor::new_without_display_handle_from_env();
+    descriptor.backends = backend::asked_for()?;
     // A dispatch of its own before each indirect one, to check what our own shader has counted: it costs a
     // filtered frame a tenth of its time on a software adapter.
     descriptor
         .flags
         .remove(InstanceFlags::VALIDATION_INDIRECT_CALL);
-    Instance::new(descriptor)
+    Ok(Instance::new(descriptor))
 }
 
 fn one_line(text: &str) -> String {
