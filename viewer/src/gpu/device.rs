@@ -116,6 +116,11 @@ impl Gpu {
             .request_device(&DeviceDescriptor {
                 // To time what is drawn, where the adapter can.
                 required_features: adapter.features() & Features::TIMESTAMP_QUERY,
+                // A window may be as wide as the adapter draws.
+                required_limits: Limits {
+                    max_texture_dimension_2d: adapter.limits().max_texture_dimension_2d,
+                    ..Limits::default()
+                },
                 ..Default::default()
             })
             .await
@@ -180,6 +185,19 @@ impl Gpu {
     /// Whether it can note the time at which work begins and ends on it.
     pub fn has_timestamps(&self) -> bool {
         self.device.features().contains(Features::TIMESTAMP_QUERY)
+    }
+
+    /// Does what may be too much for the device: if it is, the device can be used on.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`] with what the device says.
+    pub(super) fn attempt<T>(&self, work: impl FnOnce() -> T) -> Result<T, GpuError> {
+        let invalid = self.device.push_error_scope(ErrorFilter::Validation);
+        let too_much = self.device.push_error_scope(ErrorFilter::OutOfMemory);
+        let done = work();
+        let errors = [too_much, invalid].map(|scope| pollster::block_on(scope.pop()));
+        let first = errors.into_iter().flatten().next();
+        first.map_or(Ok(done), |error| Err(self.failed(error)))
     }
 
     /// Waits until all submitted work is done.
@@ -266,4 +284,27 @@ fn new_instance() -> Result<Instance, GpuError> {
 
 fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::texture;
+
+    #[test]
+    #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
+    fn a_device_goes_on_after_what_was_too_much_for_it() {
+        let gpu = Gpu::open().unwrap();
+        let make = |side| {
+            let usage = TextureUsages::TEXTURE_BINDING;
+            let make = || texture(&gpu.device, "", [side, 1], TextureFormat::R8Unorm, usage);
+            gpu.attempt(make).map(|_| ())
+        };
+        let most = gpu.device.limits().max_texture_dimension_2d;
+        assert_eq!(make(most), Ok(()));
+        let error = make(most + 1).unwrap_err();
+        assert!(matches!(error, GpuError::Failed { .. }), "{error}");
+        assert_eq!(gpu.poll(), Ok(()));
+        assert_eq!(make(64), Ok(()));
+    }
 }

@@ -116,9 +116,11 @@ impl Renderer {
     /// Puts another sky on the device.
     ///
     /// # Errors
-    /// [`GpuError::Failed`] if it does not fit.
+    /// [`GpuError::Failed`] if it does not fit; the device can be used on.
     pub fn upload(&self, sky: &Sky) -> Result<SkyOnDevice, GpuError> {
-        let sky = put_on_device(&self.gpu, &self.sky_layout, sky);
+        let sky = self
+            .gpu
+            .attempt(|| put_on_device(&self.gpu, &self.sky_layout, sky))?;
         self.gpu.wait()?;
         Ok(sky)
     }
