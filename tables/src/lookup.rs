@@ -11,14 +11,29 @@ pub const WGSL: &str = concat!(include_str!("arithmetic.wgsl"), include_str!("lo
 /// The part of [`WGSL`] that needs no row: `cubic`, `cos_sin` and `angle`.
 pub const ARITHMETIC_WGSL: &str = include_str!("arithmetic.wgsl");
 
-/// WGSL that declares the row as a 1-D texture of `texels` texels at the given binding, loads from
-/// it, and reads between two texels by `interpolation`: by hand, for hardware filters have 8-bit
+/// Texels across the texture of a row. WebGPU promises as many on every device, and a longer row goes on in
+/// the next line.
+pub const ROW_LINE: u32 = 8192;
+
+/// Width and height of the texture that holds a row of `texels` texels. The texels lie line after line; the
+/// rest of the last line is not read.
+pub fn row_texture_size(texels: u32) -> [u32; 2] {
+    [texels.min(ROW_LINE), texels.div_ceil(ROW_LINE)]
+}
+
+/// WGSL that declares the row of `texels` texels as a texture of [`row_texture_size`] at the given binding,
+/// loads from it, and reads between two texels by `interpolation`: by hand, for hardware filters have 8-bit
 /// weights.
 pub fn wgsl_row(texels: u32, interpolation: Interpolation, group: u32, binding: u32) -> String {
+    let place = if texels <= ROW_LINE {
+        "vec2(i, 0u)".to_owned()
+    } else {
+        format!("vec2(i % {ROW_LINE}u, i / {ROW_LINE}u)")
+    };
     format!(
         "const ROW_LAST: u32 = {}u;\n\
-         @group({group}) @binding({binding}) var row: texture_1d<f32>;\n\
-         fn row_texel(i: u32) -> vec2<f32> {{ return textureLoad(row, i, 0).xy; }}\n\
+         @group({group}) @binding({binding}) var row: texture_2d<f32>;\n\
+         fn row_texel(i: u32) -> vec2<f32> {{ return textureLoad(row, {place}, 0).xy; }}\n\
          fn interpolate(position: f32) -> vec2<f32> {{ return {}(position); }}\n",
         texels - 1,
         interpolation.wgsl_function(),
@@ -217,6 +232,16 @@ mod tests {
             let exact = f64::from(p).atan2(c.into());
             let off = (f64::from(angle(c, p)) - exact).abs();
             assert!(off < 3e-7, "{theta}: {off:e}");
+        }
+    }
+
+    #[test]
+    fn a_row_of_any_length_fits_into_its_texture() {
+        for texels in [4, 64, ROW_LINE, ROW_LINE + 1, 1 << 16] {
+            crate::header::check_texels(texels).unwrap();
+            let [width, height] = row_texture_size(texels);
+            assert!(width <= ROW_LINE && height <= ROW_LINE);
+            assert!(width * height >= texels && width * (height - 1) < texels);
         }
     }
 

@@ -58,7 +58,9 @@ impl Desktop {
     /// If there is no Xvfb.
     pub fn new(width: u32, height: u32) -> Self {
         let mut server = Command::new("Xvfb")
-            .args(["-displayfd", "1", "-nolisten", "tcp", "-screen", "0"])
+            .args(["-displayfd", "1", "-nolisten", "tcp"])
+            // Programs come one after the other; without this, the server begins anew in between.
+            .args(["-noreset", "-screen", "0"])
             .arg(format!("{width}x{height}x24"))
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
@@ -199,6 +201,14 @@ impl WindowedProgram {
         self.xdotool(&["click", "--repeat", &times, "--delay", "5", button]);
     }
 
+    /// Clicks at a pixel of the window.
+    pub fn click(&self, x: u32, y: u32) {
+        self.focus();
+        let (window, x, y) = (self.window.to_string(), x.to_string(), y.to_string());
+        self.xdotool(&["mousemove", "--sync", "--window", &window, &x, &y]);
+        self.xdotool(&["click", "1"]);
+    }
+
     /// Gives the window another size.
     pub fn resize(&self, width: u32, height: u32) {
         let sizes = [width, height].map(|side| side.to_string());
@@ -306,6 +316,28 @@ impl WindowedProgram {
         let line = status.lines().find(|l| l.starts_with("VmRSS:")).unwrap();
         let kib: u64 = line.split_whitespace().nth(1).unwrap().parse().unwrap();
         1024 * kib
+    }
+
+    /// Processor time that the program takes during a while, as a part of that while: 1 is one core.
+    ///
+    /// # Panics
+    /// If the program is gone.
+    pub fn processor_share(&self, time: Duration) -> f64 {
+        let (since, before) = (Instant::now(), self.processor_time());
+        std::thread::sleep(time);
+        (self.processor_time() - before) / since.elapsed().as_secs_f64()
+    }
+
+    /// Processor time that the program has taken so far, s.
+    fn processor_time(&self) -> f64 {
+        // What `/proc` counts in, on every Linux.
+        const TICKS_PER_S: f64 = 100.0;
+        let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.child.id())).unwrap();
+        // The second field is the program's name in parentheses; user and system time are the 14th and 15th.
+        let (_, fields) = stat.rsplit_once(')').unwrap();
+        let fields = fields.split_whitespace().skip(11).take(2);
+        let ticks: f64 = fields.map(|ticks| ticks.parse::<f64>().unwrap()).sum();
+        ticks / TICKS_PER_S
     }
 
     /// Whether the program still runs after a while.

@@ -194,10 +194,19 @@ impl Run {
 /// # Panics
 /// If it does not bake.
 pub fn one_row(radius: f64) -> Table {
+    one_row_of(radius, Recipe::default().texels)
+}
+
+/// A freshly baked table of one row of so many texels, for the static observer at `radius`.
+///
+/// # Panics
+/// If it does not bake.
+pub fn one_row_of(radius: f64, texels: u32) -> Table {
     let recipe = Recipe {
         rows: Rows::One {
             inverse_radius: 1.0 / radius,
         },
+        texels,
         ..Recipe::default()
     };
     bake(&recipe, || ()).unwrap()

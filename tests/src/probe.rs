@@ -1,5 +1,6 @@
 //! Functions of WGSL, asked on a GPU for what they make of many questions.
 
+use lensbake_tables::lookup::row_texture_size;
 use viewer::gpu::Gpu;
 use wgpu::util::DeviceExt;
 use wgpu::*;
@@ -14,7 +15,7 @@ pub struct Bindings {
 }
 
 /// Runs the entry point `probe` of `source`, 64 invocations a workgroup, with an invocation for each of
-/// `questions`. A `row` of texels with slopes is bound as a 1-D texture to the binding given with it.
+/// `questions`. A `row` of texels with slopes is bound to the binding given with it, as a texture that holds it line after line.
 ///
 /// # Panics
 /// If the device fails.
@@ -75,22 +76,25 @@ pub fn probe<Q: bytemuck::Pod, A: bytemuck::Pod>(
 }
 
 fn row_texture(gpu: &Gpu, texels: &[[f32; 2]]) -> TextureView {
+    let [width, height] = row_texture_size(texels.len() as u32);
+    let mut lines = texels.to_vec();
+    lines.resize((width * height) as usize, [0.0; 2]);
     let descriptor = TextureDescriptor {
         label: None,
         size: Extent3d {
-            width: texels.len() as u32,
-            height: 1,
+            width,
+            height,
             depth_or_array_layers: 1,
         },
         mip_level_count: 1,
         sample_count: 1,
-        dimension: TextureDimension::D1,
+        dimension: TextureDimension::D2,
         format: TextureFormat::Rg32Float,
         usage: TextureUsages::TEXTURE_BINDING,
         view_formats: &[],
     };
     let order = util::TextureDataOrder::LayerMajor;
-    let contents = bytemuck::cast_slice(texels);
+    let contents = bytemuck::cast_slice(&lines);
     let texture = gpu
         .device
         .create_texture_with_data(&gpu.queue, &descriptor, order, contents);

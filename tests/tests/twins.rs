@@ -83,7 +83,7 @@ fn inputs(observer: &Observer) -> Vec<[f32; 4]> {
 }
 
 /// The rows that are compared: of the atlas as it is, and read as the least models read it.
-fn rows(observer: Observer) -> [GpuRow; 4] {
+fn rows(observer: Observer) -> [GpuRow; 5] {
     let row = default_atlas().row(observer).unwrap();
     let thinned = |texels, by| GpuRow::new(&row.resampled(texels, by).unwrap());
     [
@@ -91,6 +91,8 @@ fn rows(observer: Observer) -> [GpuRow; 4] {
         thinned(64, Interpolation::Linear),
         thinned(4, Interpolation::Linear),
         thinned(8, Interpolation::Hermite),
+        // Longer than a line of any device's texture.
+        thinned(20_000, Interpolation::Hermite),
     ]
 }
 

@@ -4,7 +4,7 @@
 
 use fastrand::Rng;
 use lensbake_tests::desktop::{Desktop, WindowedProgram};
-use lensbake_tests::{coarse_atlas, one_row};
+use lensbake_tests::{coarse_atlas, one_row, one_row_of};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -58,6 +58,8 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     table("coarse.lbt", coarse_atlas());
     table("coarse.exr", coarse_atlas());
     table("r10.lbt", one_row(10.0));
+    table("r5000.lbt", one_row(5000.0));
+    table("long.lbt", one_row_of(1.005, 9000));
     let whole = std::fs::read(file("coarse.lbt")).unwrap();
     std::fs::write(file("cut.lbt"), &whole[..whole.len() / 2]).unwrap();
     let mut flipped = whole.clone();

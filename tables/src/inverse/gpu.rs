@@ -9,12 +9,12 @@ use crate::lookup::{cos_sin, cubic};
 /// [`lookup::ARITHMETIC_WGSL`](crate::lookup::ARITHMETIC_WGSL), or the whole of the lookup's.
 pub const WGSL: &str = include_str!("inverse.wgsl");
 
-/// WGSL that declares the inverse row as a 1-D texture at the given binding, and loads from it.
+/// WGSL that declares the inverse row as a texture of one line at the given binding, and loads from it.
 pub fn wgsl_row(group: u32, binding: u32) -> String {
     format!(
         "const INVERSE_LAST: u32 = {}u;\n\
-         @group({group}) @binding({binding}) var inverse_row: texture_1d<f32>;\n\
-         fn inverse_texel(i: u32) -> vec2<f32> {{ return textureLoad(inverse_row, i, 0).xy; }}\n",
+         @group({group}) @binding({binding}) var inverse_row: texture_2d<f32>;\n\
+         fn inverse_texel(i: u32) -> vec2<f32> {{ return textureLoad(inverse_row, vec2(i, 0u), 0).xy; }}\n",
         INVERSE_TEXELS - 1,
     )
 }

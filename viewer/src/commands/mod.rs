@@ -36,7 +36,7 @@ use viewer::window::WindowError;
 #[derive(Debug, Error)]
 pub enum CommandError {
     /// The view makes no camera.
-    #[error(transparent)]
+    #[error("{}: {_0}", flag_of(_0))]
     Camera(#[from] CameraError),
     /// A table file.
     #[error(transparent)]
@@ -103,6 +103,16 @@ pub enum CommandError {
     /// The report and the data would be mixed.
     #[error("{0} - would mix the picture with the report on standard output; name a file")]
     ReportTakesOutput(&'static str),
+}
+
+/// The flag whose value makes no camera.
+fn flag_of(error: &CameraError) -> String {
+    match error {
+        CameraError::Radius(_) | CameraError::TooFar(_) => "--radius".into(),
+        CameraError::FieldOfView(_) => "--fov".into(),
+        CameraError::Angle { what, .. } => format!("--{what}"),
+        CameraError::Size { .. } => "--size".into(),
+    }
 }
 
 /// Checks that `output` goes over none of the files that `view` and `stars` are read from.
@@ -173,6 +183,8 @@ fn gpu(device: DeviceName) -> Result<Option<Gpu>, GpuError> {
         DeviceName::Gpu => Gpu::open().map(Some),
         DeviceName::Auto => match Gpu::open() {
             Ok(gpu) => Ok(Some(gpu)),
+            // What a person has set and misspelt is not passed over.
+            Err(error @ GpuError::Backend { .. }) => Err(error),
             Err(error) => {
                 message!("viewer: drawing on the CPU: {error}");
                 Ok(None)

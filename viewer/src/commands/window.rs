@@ -5,11 +5,15 @@ use crate::cli::{
     DeviceName, MethodName, PICTURE, RenderArgs, SamplingName, SceneArgs, WindowArgs,
 };
 use lensbake_report::{Outcome, message};
+use viewer::camera::Camera;
 use viewer::scene::Method;
 use viewer::stars::StarSource;
 use viewer::window::{self, Options};
 
 pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
+    let view = args.view.view(args.size);
+    // Named by its flag here; the window knows no flags.
+    Camera::new(&view)?;
     let step = args.view.step;
     Method::check_step(step).map_err(|problem| CommandError::Scene {
         name: "--step".into(),
@@ -20,7 +24,7 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
     let stars = stars_of(&args.stars, &source.unwrap_or(StarSource::Hipparcos))?;
     let (table, table_name) = table(&args.view)?;
     let ended = window::run(Options {
-        view: args.view.view(args.size),
+        view,
         step,
         sky: args.view.sky.clone(),
         stars,

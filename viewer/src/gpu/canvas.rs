@@ -9,6 +9,7 @@ use super::texture::texture;
 use super::{Frame, Gpu, GpuError, Store, Tile};
 use crate::scene::{Sampling, Scene};
 use crate::shadow::Shadow;
+use lensbake_tables::lookup::row_texture_size;
 use lensbake_tables::{Interpolation, Row, Texel};
 use wgpu::*;
 
@@ -44,6 +45,8 @@ pub struct Canvas {
     layout: BindGroupLayout,
     target: Target,
     row: Texture,
+    /// Texels of the rows that it is for, and how they are read.
+    shape: (u32, Interpolation),
     shown: Option<Row>,
     frames: Buffer,
     frame_stride: u64,
@@ -81,6 +84,7 @@ impl Canvas {
             Target::Buffer(_) => Store::Buffer,
             Target::Texture(_) => Store::Texture,
         });
+        let shape = shape(row);
         let row = row_texture(&device, row);
         let alignment = device.limits().min_uniform_buffer_offset_alignment;
         let frame_stride = (size_of::<Frame>() as u64).next_multiple_of(alignment.into());
@@ -94,6 +98,7 @@ impl Canvas {
             layout: layout.clone(),
             target,
             row,
+            shape,
             shown: None,
             frames,
             frame_stride,
@@ -237,9 +242,10 @@ impl Canvas {
     }
 
     fn upload(&mut self, row: &Row) {
-        let shape = (self.row.width(), self.row.format());
-        assert_eq!(shape, (row.texel_count(), row_format(row)), "another shape");
-        let texels: Vec<Texel> = row.gpu_texels();
+        assert_eq!(self.shape, shape(row), "another shape");
+        let [width, height] = [self.row.width(), self.row.height()];
+        let mut texels: Vec<Texel> = row.gpu_texels();
+        texels.resize((width * height) as usize, [0.0; 2]);
         let values: Vec<f32>;
         let bytes: &[u8] = match row.interpolation() {
             Interpolation::Linear => {
@@ -250,7 +256,7 @@ impl Canvas {
         };
         let layout = TexelCopyBufferLayout {
             offset: 0,
-            bytes_per_row: Some(bytes.len() as u32),
+            bytes_per_row: Some(bytes.len() as u32 / height),
             rows_per_image: None,
         };
         self.queue
@@ -293,20 +299,14 @@ fn row_format(row: &Row) -> TextureFormat {
     }
 }
 
-/// A 1-D texture for rows of the shape of `row`.
+/// What of a row programs and canvases are made for: its texels, and how they are read.
+pub(super) fn shape(row: &Row) -> (u32, Interpolation) {
+    (row.texel_count(), row.interpolation())
+}
+
+/// A texture for rows of the shape of `row`.
 fn row_texture(device: &Device, row: &Row) -> Texture {
-    device.create_texture(&TextureDescriptor {
-        label: Some("row"),
-        size: Extent3d {
-            width: row.texel_count(),
-            height: 1,
-            depth_or_array_layers: 1,
-        },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: TextureDimension::D1,
-        format: row_format(row),
-        usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
-        view_formats: &[],
-    })
+    let size = row_texture_size(row.texel_count());
+    let usage = TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST;
+    texture(device, "row", size, row_format(row), usage)
 }

@@ -1,5 +1,6 @@
 //! A device to compute on, and buffers brought back from it.
 
+use super::backend;
 use std::sync::{Arc, Mutex};
 use thiserror::Error;
 use wgpu::*;
@@ -13,6 +14,17 @@ pub enum GpuError {
          brings one in software), or draw without one: viewer render --device cpu"
     )]
     NoAdapter,
+    /// `WGPU_BACKEND` asks for a backend that there is none of.
+    #[error(
+        "WGPU_BACKEND is '{asked}', which names a backend that is unknown or not available on this system: \
+         set it to {known}, or leave it unset"
+    )]
+    Backend {
+        /// What it holds.
+        asked: String,
+        /// The names that it may hold.
+        known: String,
+    },
     /// There is one, but it does not open.
     #[error("the GPU {adapter} cannot be opened: {reason}")]
     NoDevice {
@@ -57,9 +69,18 @@ impl Gpu {
     /// Opens the fastest adapter there is; `WGPU_BACKEND` chooses the backend.
     ///
     /// # Errors
-    /// [`GpuError::NoAdapter`] without one, [`GpuError::NoDevice`] if it does not open.
+    /// [`GpuError::Backend`] if it names none, [`GpuError::NoAdapter`] without an adapter,
+    /// [`GpuError::NoDevice`] if it does not open.
     pub fn open() -> Result<Self, GpuError> {
-        pollster::block_on(Self::on_adapter(new_instance(), None))
+        pollster::block_on(Self::on_adapter(new_instance()?, None))
+    }
+
+    /// Checks that `WGPU_BACKEND` names backends that there are, or is not set. Opens nothing.
+    ///
+    /// # Errors
+    /// [`GpuError::Backend`] if it does not.
+    pub fn check_backend() -> Result<(), GpuError> {
+        backend::asked_for().map(|_| ())
     }
 
     /// Opens the fastest adapter that can draw to `window`, with a surface to draw to.
@@ -69,7 +90,7 @@ impl Gpu {
     pub fn open_for(
         window: impl Into<SurfaceTarget<'static>>,
     ) -> Result<(Self, Surface<'static>), GpuError> {
-        let instance = new_instance();
+        let instance = new_instance()?;
         let surface = instance
             .create_surface(window)
             .map_err(|e| GpuError::NoSurface(one_line(&e.to_string())))?;
@@ -95,6 +116,11 @@ impl Gpu {
             .request_device(&DeviceDescriptor {
                 // To time what is drawn, where the adapter can.
                 required_features: adapter.features() & Features::TIMESTAMP_QUERY,
+                // A window may be as wide as the adapter draws.
+                required_limits: Limits {
+                    max_texture_dimension_2d: adapter.limits().max_texture_dimension_2d,
+                    ..Limits::default()
+                },
                 ..Default::default()
             })
             .await
@@ -159,6 +185,19 @@ impl Gpu {
     /// Whether it can note the time at which work begins and ends on it.
     pub fn has_timestamps(&self) -> bool {
         self.device.features().contains(Features::TIMESTAMP_QUERY)
+    }
+
+    /// Does what may be too much for the device: if it is, the device can be used on.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`] with what the device says.
+    pub(super) fn attempt<T>(&self, work: impl FnOnce() -> T) -> Result<T, GpuError> {
+        let invalid = self.device.push_error_scope(ErrorFilter::Validation);
+        let too_much = self.device.push_error_scope(ErrorFilter::OutOfMemory);
+        let done = work();
+        let errors = [too_much, invalid].map(|scope| pollster::block_on(scope.pop()));
+        let first = errors.into_iter().flatten().next();
+        first.map_or(Ok(done), |error| Err(self.failed(error)))
     }
 
     /// Waits until all submitted work is done.
@@ -232,16 +271,40 @@ impl Gpu {
     }
 }
 
-fn new_instance() -> Instance {
+fn new_instance() -> Result<Instance, GpuError> {
     let mut descriptor = InstanceDescriptor::new_without_display_handle_from_env();
+    descriptor.backends = backend::asked_for()?;
     // A dispatch of its own before each indirect one, to check what our own shader has counted: it costs a
     // filtered frame a tenth of its time on a software adapter.
     descriptor
         .flags
         .remove(InstanceFlags::VALIDATION_INDIRECT_CALL);
-    Instance::new(descriptor)
+    Ok(Instance::new(descriptor))
 }
 
 fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::texture;
+
+    #[test]
+    #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
+    fn a_device_goes_on_after_what_was_too_much_for_it() {
+        let gpu = Gpu::open().unwrap();
+        let make = |side| {
+            let usage = TextureUsages::TEXTURE_BINDING;
+            let make = || texture(&gpu.device, "", [side, 1], TextureFormat::R8Unorm, usage);
+            gpu.attempt(make).map(|_| ())
+        };
+        let most = gpu.device.limits().max_texture_dimension_2d;
+        assert_eq!(make(most), Ok(()));
+        let error = make(most + 1).unwrap_err();
+        assert!(matches!(error, GpuError::Failed { .. }), "{error}");
+        assert_eq!(gpu.poll(), Ok(()));
+        assert_eq!(make(64), Ok(()));
+    }
 }

@@ -1,6 +1,7 @@
 //! Frames one after the other, for a window or a benchmark: everything is made beforehand, and a frame
 //! writes what has changed and dispatches what the picture needs.
 
+use super::canvas::shape;
 use super::{Canvas, Output, Passes, Program, Renderer, Store, Target, Tile, band_pixels};
 use crate::scene::{Method, Sampling, Scene};
 use crate::stars::StarField;
@@ -100,14 +101,17 @@ impl Live {
         }
     }
 
+    /// Whether it is ready for rows of the shape of `row`.
+    pub fn takes(&self, row: &Row) -> bool {
+        shape(row) == shape(&self.row)
+    }
+
     /// Makes ready for rows of the shape of `row`.
     pub fn set_row_shape(&mut self, row: &Row) {
-        let shape = |row: &Row| (row.texel_count(), row.interpolation());
-        if shape(row) == shape(&self.row) {
-            return;
+        if !self.takes(row) {
+            self.row = row.clone();
+            self.remake();
         }
-        self.row = row.clone();
-        self.remake();
     }
 
     /// Draws the stars of `field` before the sky from now on, or none.

@@ -1,5 +1,6 @@
 //! The GPU: the device, and the renderer that draws a [`crate::scene::Scene`] on it.
 
+mod backend;
 mod bindings;
 mod blocks;
 mod canvas;

@@ -76,11 +76,11 @@ impl Renderer {
             ],
         );
         let frame_layout = |label, output| {
-            let row = texture_binding(TextureViewDimension::D1, false);
+            let row = texture_binding(TextureViewDimension::D2, false);
             let blocks = storage_buffer_binding(true);
             layout(label, &[uniform_binding(true), row, output, blocks])
         };
-        let row = texture_binding(TextureViewDimension::D1, false);
+        let row = texture_binding(TextureViewDimension::D2, false);
         let written = storage_buffer_binding(false);
         let renderer = Renderer {
             sort_layout: layout(
@@ -116,9 +116,11 @@ impl Renderer {
     /// Puts another sky on the device.
     ///
     /// # Errors
-    /// [`GpuError::Failed`] if it does not fit.
+    /// [`GpuError::Failed`] if it does not fit; the device can be used on.
     pub fn upload(&self, sky: &Sky) -> Result<SkyOnDevice, GpuError> {
-        let sky = put_on_device(&self.gpu, &self.sky_layout, sky);
+        let sky = self
+            .gpu
+            .attempt(|| put_on_device(&self.gpu, &self.sky_layout, sky))?;
         self.gpu.wait()?;
         Ok(sky)
     }

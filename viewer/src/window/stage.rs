@@ -3,6 +3,7 @@
 use super::panel::Paint;
 use super::plan::Plan;
 use super::{WindowError, screenshot};
+use crate::camera::MAX_SIDE;
 use crate::gpu::{Gpu, GpuError, Lap, Live, Presenter, Renderer, SkyOnDevice, Stopwatch, Timed};
 use crate::sky::Sky;
 use crate::stars::StarField;
@@ -22,6 +23,9 @@ pub struct Stage {
     stopwatch: Stopwatch,
     drawn: Option<Plan>,
 }
+
+/// Side of a picture that has more pixels than the window at the most: half a gigabyte.
+const SUPERSAMPLED_SIDE: u32 = 8192;
 
 /// What became of a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,9 +59,9 @@ impl Stage {
         });
         let format = plain.or(capabilities.formats.first());
         let format = *format.ok_or_else(|| GpuError::NoSurface("it has no format".into()))?;
-        let size = window.inner_size();
+        let [width, height] = pixels(&window, &gpu).unwrap_or([1, 1]);
         let mut config = surface
-            .get_default_config(gpu.adapter(), size.width.max(1), size.height.max(1))
+            .get_default_config(gpu.adapter(), width, height)
             .ok_or_else(|| GpuError::NoSurface("it has no configuration".into()))?;
         config.format = format;
         config.present_mode = PresentMode::AutoVsync;
@@ -89,15 +93,11 @@ impl Stage {
     }
 
     /// Takes over the window's size and returns it, pixels; none when it has no pixels, as when
-    /// minimised. Everything in a frame goes by this size, for the window's own may change meanwhile.
+    /// minimised. Everything in a frame goes by this size, for the window's own may change meanwhile. Of a
+    /// window larger than the device can draw, it is the part that it can.
     pub fn fit(&mut self) -> Option<[u32; 2]> {
-        let most = self.gpu.device.limits().max_texture_dimension_2d;
-        let size = self.window.inner_size();
-        let (width, height) = (size.width.min(most), size.height.min(most));
-        if width == 0 || height == 0 {
-            return None;
-        }
-        if (width, height) != (self.config.width, self.config.height) {
+        let [width, height] = pixels(&self.window, &self.gpu)?;
+        if !self.fits([width, height]) {
             self.config.width = width;
             self.config.height = height;
             self.configure();
@@ -105,15 +105,18 @@ impl Stage {
         Some([width, height])
     }
 
+    fn fits(&self, size: [u32; 2]) -> bool {
+        size == [self.config.width, self.config.height]
+    }
+
     fn configure(&mut self) {
         self.surface.configure(&self.gpu.device, &self.config);
     }
 
-    /// `scale`, or the largest at which a picture of the window fits on the device.
+    /// `scale`, or the largest whole one at which a picture of the window is not too large.
     pub fn fitting(&self, scale: f64) -> f64 {
-        let most = self.gpu.device.limits().max_texture_dimension_2d;
         let side = self.config.width.max(self.config.height);
-        scale.min(f64::from(most / side))
+        scale.min(f64::from((SUPERSAMPLED_SIDE / side).max(1)))
     }
 
     /// Puts a sky on the device.
@@ -139,9 +142,11 @@ impl Stage {
 
     /// Makes ready for rows of the shape of `row`.
     pub fn set_row_shape(&mut self, row: &Row) {
-        self.live.set_row_shape(row);
-        self.presenter.follow(&self.gpu, &self.live);
-        self.drawn = None;
+        if !self.live.takes(row) {
+            self.live.set_row_shape(row);
+            self.presenter.follow(&self.gpu, &self.live);
+            self.drawn = None;
+        }
     }
 
     /// Makes room for pictures of `room` pixels.
@@ -170,8 +175,11 @@ impl Stage {
         let frame = match self.surface.get_current_texture() {
             CurrentSurfaceTexture::Success(frame) => frame,
             CurrentSurfaceTexture::Suboptimal(frame) => {
-                // Shown as it is; the next one fits.
-                self.window.request_redraw();
+                // Shown as it is. If the window has changed meanwhile, the next one fits; a window larger
+                // than the device can draw never does.
+                if pixels(&self.window, &self.gpu).is_some_and(|size| !self.fits(size)) {
+                    self.window.request_redraw();
+                }
                 frame
             }
             CurrentSurfaceTexture::Outdated => {
@@ -243,6 +251,14 @@ impl Stage {
         let size = [plan.window.width, plan.window.height];
         screenshot::take(&self.gpu, &self.presenter, self.config.format, size)
     }
+}
+
+/// Pixels of a window, as far as a device can draw them and a camera has them; none if it has none.
+fn pixels(window: &Window, gpu: &Gpu) -> Option<[u32; 2]> {
+    let most = gpu.device.limits().max_texture_dimension_2d.min(MAX_SIDE);
+    let size = window.inner_size();
+    let size = [size.width, size.height].map(|side| side.min(most));
+    (size[0] > 0 && size[1] > 0).then_some(size)
 }
 
 /// Begins to draw a whole window.
