@@ -3,7 +3,9 @@
 use super::WindowError;
 use super::running::Running;
 use super::settings::Settings;
-use crate::camera::View;
+use super::state::{NamedTable, Refusal, State};
+use crate::camera::{Camera, View};
+use crate::gpu::Gpu;
 use crate::sky::{Sky, SkyError, SkySource};
 use crate::stars::StarField;
 use lensbake_tables::Table;
@@ -34,6 +36,24 @@ pub struct Options {
     pub fullscreen: bool,
 }
 
+/// What the window starts with, after it was checked and the sky was read.
+pub(super) struct Start {
+    /// Settings and table.
+    pub state: State,
+    /// The window's size, in points.
+    pub size: [u32; 2],
+    /// Whether the window fills the screen.
+    pub fullscreen: bool,
+    /// The sky.
+    pub sky: Sky,
+    /// Where it comes from.
+    pub source: SkySource,
+    /// The stars.
+    pub stars: StarField,
+    /// Whether they stand before every sky.
+    pub stars_everywhere: bool,
+}
+
 /// What a thread brings.
 #[derive(Debug)]
 pub enum Arrival {
@@ -50,15 +70,26 @@ pub enum Arrival {
 /// # Errors
 /// [`WindowError`] in one line.
 pub fn run(options: Options) -> Result<(), WindowError> {
-    let sky = crate::sky::load(&options.sky)?;
+    Gpu::check_backend()?;
+    Camera::new(&options.view).map_err(Refusal::View)?;
     let settings = Settings::new(options.view, options.step);
-    super::row(&settings, &options.table, &options.table_name)?;
+    let table = NamedTable::new(options.table, options.table_name);
+    let state = State::new(settings, table)?;
+    let sky = crate::sky::load(&options.sky)?;
     let events = EventLoop::with_user_event()
         .build()
         .map_err(|e| WindowError::no_screen(&e))?;
     let mut app = App {
         proxy: events.create_proxy(),
-        start: Some((options, sky)),
+        start: Some(Start {
+            state,
+            size: [options.view.width, options.view.height],
+            fullscreen: options.fullscreen,
+            sky,
+            source: options.sky,
+            stars: options.stars,
+            stars_everywhere: options.stars_everywhere,
+        }),
         running: None,
         error: None,
     };
@@ -70,17 +101,17 @@ pub fn run(options: Options) -> Result<(), WindowError> {
 
 struct App {
     proxy: EventLoopProxy<Arrival>,
-    start: Option<(Options, Sky)>,
+    start: Option<Start>,
     running: Option<Running>,
     error: Option<WindowError>,
 }
 
 impl ApplicationHandler<Arrival> for App {
     fn resumed(&mut self, events: &ActiveEventLoop) {
-        let Some((options, sky)) = self.start.take() else {
+        let Some(start) = self.start.take() else {
             return;
         };
-        match Running::new(events, options, &sky, self.proxy.clone()) {
+        match Running::new(events, start, self.proxy.clone()) {
             Ok(running) => self.running = Some(running),
             Err(error) => self.end(events, error),
         }
@@ -95,12 +126,9 @@ impl ApplicationHandler<Arrival> for App {
         }
     }
 
-    fn user_event(&mut self, events: &ActiveEventLoop, arrival: Arrival) {
-        let Some(running) = &mut self.running else {
-            return;
-        };
-        if let Err(error) = running.arrival(arrival) {
-            self.end(events, error);
+    fn user_event(&mut self, _: &ActiveEventLoop, arrival: Arrival) {
+        if let Some(running) = &mut self.running {
+            running.arrival(arrival);
         }
     }
 

@@ -63,7 +63,7 @@ impl Input {
                 event,
                 is_synthetic: false,
                 ..
-            } => self.key(event),
+            } => self.key(event, settings),
             WindowEvent::MouseInput { state, button, .. } => {
                 self.button(*state, *button, settings, width);
                 Reaction::None
@@ -84,7 +84,7 @@ impl Input {
         self.held.any()
     }
 
-    fn key(&mut self, key: &KeyEvent) -> Reaction {
+    fn key(&mut self, key: &KeyEvent, settings: &mut Settings) -> Reaction {
         let PhysicalKey::Code(code) = key.physical_key else {
             return Reaction::None;
         };
@@ -98,7 +98,15 @@ impl Input {
                 self.held.release(code, now);
                 Reaction::Changed
             }
-            (Some(Deed::Pressed(command)), ElementState::Pressed) if !key.repeat => {
+            _ if key.repeat => Reaction::None,
+            // What was held before another key was pressed counts before it.
+            (Some(Deed::Changes(change)), ElementState::Pressed) => {
+                self.steer(&mut settings.view, now);
+                settings.change(change);
+                Reaction::Changed
+            }
+            (Some(Deed::Pressed(command)), ElementState::Pressed) => {
+                self.steer(&mut settings.view, now);
                 Reaction::Command(command)
             }
             _ => Reaction::None,

@@ -27,11 +27,9 @@ pub enum Drive {
     OrbitRight,
 }
 
-/// What a key does when it is pressed.
+/// What a key changes in the settings when it is pressed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Command {
-    /// The next built-in sky.
-    NextSky,
+pub enum Change {
     /// The next orbit speed.
     NextOrbitSpeed,
     /// Deflection on or off.
@@ -50,16 +48,23 @@ pub enum Command {
     MoreGain,
     /// A weaker difference.
     LessGain,
+    /// The panel or not.
+    TogglePanel,
+    /// The help or not.
+    ToggleHelp,
+}
+
+/// What a key asks of the window when it is pressed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Command {
+    /// The next built-in sky.
+    NextSky,
     /// Everything as at the start.
     Reset,
     /// Full screen or not.
     ToggleFullscreen,
     /// A picture to a file.
     Screenshot,
-    /// The panel or not.
-    TogglePanel,
-    /// The help or not.
-    ToggleHelp,
     /// Out of the help, of full screen, or of the program.
     Leave,
 }
@@ -69,8 +74,27 @@ pub enum Command {
 pub enum Deed {
     /// While held.
     Held(Drive),
-    /// When pressed.
+    /// When pressed, in the settings.
+    Changes(Change),
+    /// When pressed, with the window.
     Pressed(Command),
+}
+
+impl Change {
+    /// All of them.
+    pub const ALL: [Change; 11] = [
+        Change::NextOrbitSpeed,
+        Change::ToggleDeflection,
+        Change::ToggleFilter,
+        Change::NextComparison,
+        Change::NextResolution,
+        Change::ZoomIn,
+        Change::ZoomOut,
+        Change::MoreGain,
+        Change::LessGain,
+        Change::TogglePanel,
+        Change::ToggleHelp,
+    ];
 }
 
 /// Keys that do something, or a pair of them.
@@ -86,6 +110,10 @@ pub struct Binding {
 
 const fn held(key: KeyCode, drive: Drive) -> (KeyCode, Deed) {
     (key, Deed::Held(drive))
+}
+
+const fn changes(key: KeyCode, change: Change) -> (KeyCode, Deed) {
+    (key, Deed::Changes(change))
 }
 
 const fn pressed(key: KeyCode, command: Command) -> (KeyCode, Deed) {
@@ -129,7 +157,7 @@ pub const BINDINGS: &[Binding] = &[
         "go round the hole",
     ),
     binding(
-        &[pressed(KeyCode::KeyR, Command::NextOrbitSpeed)],
+        &[changes(KeyCode::KeyR, Change::NextOrbitSpeed)],
         "R",
         "orbit speed: 0×, 1×, 2×, 4×",
     ),
@@ -139,39 +167,39 @@ pub const BINDINGS: &[Binding] = &[
         "next sky: nebula, starmap, grid, stars",
     ),
     binding(
-        &[pressed(KeyCode::KeyL, Command::ToggleDeflection)],
+        &[changes(KeyCode::KeyL, Change::ToggleDeflection)],
         "L",
         "deflection on or off",
     ),
     binding(
-        &[pressed(KeyCode::KeyV, Command::ToggleFilter)],
+        &[changes(KeyCode::KeyV, Change::ToggleFilter)],
         "V",
         "the mean over each pixel, or one ray a pixel",
     ),
     binding(
-        &[pressed(KeyCode::KeyM, Command::NextComparison)],
+        &[changes(KeyCode::KeyM, Change::NextComparison)],
         "M",
         "table, direct integration, both side by side, difference",
     ),
     binding(
         &[
-            pressed(KeyCode::BracketLeft, Command::LessGain),
-            pressed(KeyCode::BracketRight, Command::MoreGain),
+            changes(KeyCode::BracketLeft, Change::LessGain),
+            changes(KeyCode::BracketRight, Change::MoreGain),
         ],
         "[, ]",
         "weaker, stronger difference",
     ),
     binding(
-        &[pressed(KeyCode::KeyX, Command::NextResolution)],
+        &[changes(KeyCode::KeyX, Change::NextResolution)],
         "X",
         "resolution: 1, 2×2, automatic, 1/4, 1/2",
     ),
     binding(
         &[
-            pressed(KeyCode::Equal, Command::ZoomIn),
-            pressed(KeyCode::NumpadAdd, Command::ZoomIn),
-            pressed(KeyCode::Minus, Command::ZoomOut),
-            pressed(KeyCode::NumpadSubtract, Command::ZoomOut),
+            changes(KeyCode::Equal, Change::ZoomIn),
+            changes(KeyCode::NumpadAdd, Change::ZoomIn),
+            changes(KeyCode::Minus, Change::ZoomOut),
+            changes(KeyCode::NumpadSubtract, Change::ZoomOut),
         ],
         "+, −",
         "smaller, larger field of view",
@@ -201,14 +229,14 @@ pub const BINDINGS: &[Binding] = &[
         "screenshot to the current folder",
     ),
     binding(
-        &[pressed(KeyCode::Tab, Command::TogglePanel)],
+        &[changes(KeyCode::Tab, Change::TogglePanel)],
         "Tab",
         "panel on or off",
     ),
     binding(
         &[
-            pressed(KeyCode::KeyH, Command::ToggleHelp),
-            pressed(KeyCode::F1, Command::ToggleHelp),
+            changes(KeyCode::KeyH, Change::ToggleHelp),
+            changes(KeyCode::F1, Change::ToggleHelp),
         ],
         "H, F1",
         "this help",
@@ -314,7 +342,7 @@ mod tests {
         assert_eq!(all.iter().collect::<HashSet<_>>().len(), all.len());
         assert_eq!(
             deed(KeyCode::KeyL),
-            Some(Deed::Pressed(Command::ToggleDeflection))
+            Some(Deed::Changes(Change::ToggleDeflection))
         );
         assert_eq!(deed(KeyCode::KeyQ), None);
     }

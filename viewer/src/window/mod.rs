@@ -1,15 +1,18 @@
 //! The window: the lensed sky, live, from the table.
 //!
-//! Keys ([`keys`]), mouse and panel change the [`settings`]; a frame makes a [`plan`] of them, and the
-//! `stage` draws it. What moves does so by elapsed time ([`motion`]). Between two frames of the same
-//! plan nothing is drawn.
+//! Keys ([`keys`]), mouse and panel change the [`settings`]; the [`state`] takes over what can be drawn, a
+//! frame makes a [`plan`] of it, and the `stage` draws it. What moves does so by elapsed time ([`motion`]).
+//! Between two frames of the same plan nothing is drawn.
 
 mod app;
+mod controls;
 mod files;
 mod input;
 pub mod keys;
+mod message;
 mod meter;
 pub mod motion;
+mod pace;
 mod panel;
 pub mod plan;
 mod resolution;
@@ -18,14 +21,17 @@ mod screenshot;
 pub mod settings;
 mod skies;
 mod stage;
+pub mod state;
+#[cfg(test)]
+mod state_tests;
+mod title;
 
 pub use app::{Options, run};
 pub use resolution::{AutoScale, Resolution};
 
 use crate::gpu::GpuError;
 use crate::sky::SkyError;
-use lensbake_tables::{Row, Table};
-use settings::Settings;
+use state::Refusal;
 use thiserror::Error;
 
 /// A window that cannot be opened, or had to close.
@@ -43,32 +49,65 @@ pub enum WindowError {
     /// The sky that was asked for.
     #[error(transparent)]
     Sky(#[from] SkyError),
-    /// The table does not serve the camera.
-    #[error("{name}: {problem}")]
-    Plan {
-        /// The table.
-        name: String,
-        /// What is wrong.
-        problem: plan::PlanError,
-    },
+    /// The view, or its table, cannot be drawn.
+    #[error(transparent)]
+    Refused(#[from] Refusal),
 }
 
 impl WindowError {
-    /// Of what the window system says, without the place in its source that it adds.
+    /// Of what the window system says.
     fn no_screen(error: &impl ToString) -> Self {
-        let text = error.to_string();
-        let reason = text.rsplit(": ").next().unwrap_or(&text);
-        WindowError::NoScreen(reason.trim_end_matches('.').to_owned())
+        WindowError::NoScreen(plain(&error.to_string()))
     }
 }
 
-/// The row with which a table serves the camera at the start: of the shape of all its rows.
-fn row(settings: &Settings, table: &Table, name: &str) -> Result<Row, WindowError> {
-    match plan::Plan::new(settings, table, [1, 1], 1.0) {
-        Ok(plan) => Ok(plan.scene.row),
-        Err(problem) => Err(WindowError::Plan {
-            name: name.to_owned(),
-            problem,
-        }),
+/// What the window system says, without what is for its programmers: the place in its source, and its
+/// values as they are in memory.
+fn plain(text: &str) -> String {
+    let reason = match text.strip_prefix("os error at ") {
+        Some(rest) => {
+            let line = rest.split_once(".rs:").map_or(rest, |(_file, line)| line);
+            line.split_once(": ")
+                .map_or(line, |(_number, reason)| reason)
+        }
+        None => text,
+    };
+    let request = reason.split_once("request_name: Some(\"");
+    if let Some((request, _)) = request.and_then(|(_, rest)| rest.split_once('"')) {
+        return format!("the X server refuses {request}");
+    }
+    let reason = reason.split_once(" {").map_or(reason, |(reason, _)| reason);
+    reason.trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_window_system_says_can_be_read() {
+        let says = |text: &str| WindowError::no_screen(&text).to_string();
+        let refused = "os error at /a/b: c/window.rs:312: X11 error: X11Error { error_kind: Value, \
+            error_code: 2, sequence: 20, bad_value: 0, minor_opcode: 0, major_opcode: 1, \
+            extension_name: None, request_name: Some(\"CreateWindow\") }";
+        let refused = says(refused);
+        assert!(
+            refused.contains("(the X server refuses CreateWindow)"),
+            "{refused}"
+        );
+        let closed = says("os error at /a/mod.rs:7: Failed to open connection to X server.");
+        assert!(
+            closed.contains("(Failed to open connection to X server)"),
+            "{closed}"
+        );
+        let unknown = says(
+            "os error at /a/mod.rs:7: X11 error: X11Error { error_kind: Unknown(7), request_name: None }",
+        );
+        assert!(unknown.contains("(X11 error: X11Error)"), "{unknown}");
+        let nested = says("os error at /a/mod.rs:7: Xlib error: XOpenDisplay failed: no such host");
+        assert!(
+            nested.contains("Xlib error: XOpenDisplay failed: no such host"),
+            "{nested}"
+        );
     }
 }

@@ -1,18 +1,23 @@
 //! How the camera moves: all by elapsed time.
+//!
+//! Keys, wheel and sliders stop at the ends of [`RADII`], [`FIELDS_OF_VIEW`] and [`PITCHES`]. A view from
+//! beyond an end, as a flag or a typed number may set it, stays where it is until it is moved, and then
+//! moves towards the end only.
 
 use super::keys::Drive;
-use crate::camera::{MAX_RADIUS, View};
+use crate::camera::View;
+use std::ops::RangeInclusive;
 
-/// The nearest that the window goes to the horizon.
-pub const MIN_RADIUS: f64 = 1.01;
-/// The farthest: the shadow is then a pixel or so.
-pub const MAX_WINDOW_RADIUS: f64 = 2000.0;
+/// Radii that the window goes to: from near the horizon to where the shadow is a pixel or so.
+pub const RADII: RangeInclusive<f64> = 1.01..=2000.0;
 /// Orbit speeds to choose from, as multiples of [`ORBIT_DEG_PER_S`].
 pub const ORBIT_SPEEDS: [f64; 4] = [0.0, 1.0, 2.0, 4.0];
 /// Orbit speed 1×, degrees a second: once round in half a minute.
 pub const ORBIT_DEG_PER_S: f64 = 12.0;
 /// Fields of view that the window goes to, degrees.
-pub const FIELDS_OF_VIEW: std::ops::RangeInclusive<f64> = 1.0..=170.0;
+pub const FIELDS_OF_VIEW: RangeInclusive<f64> = 1.0..=170.0;
+/// Angles up from the hole, and up from the hole's equator, that the window goes to, degrees.
+pub const PITCHES: RangeInclusive<f64> = -90.0..=90.0;
 
 /// Turning by keys, in fields of view a second.
 const TURN_PER_S: f64 = 0.5;
@@ -21,8 +26,6 @@ const APPROACH_PER_S: f64 = 0.8;
 /// Factor of r − 1, or of the field of view, for one notch of the wheel or one press.
 const NOTCH: f64 = 0.9;
 const GO_ROUND_DEG_PER_S: f64 = 45.0;
-
-const _: () = assert!(MAX_WINDOW_RADIUS <= MAX_RADIUS);
 
 impl Drive {
     /// Moves a view as the key does that is held for `seconds`.
@@ -45,19 +48,24 @@ impl Drive {
 /// Turns the view to the right and up, away from the hole.
 pub fn look(view: &mut View, right_deg: f64, up_deg: f64) {
     view.yaw_deg = wrapped(view.yaw_deg + right_deg);
-    view.pitch_deg = (view.pitch_deg + up_deg).clamp(-90.0, 90.0);
+    view.pitch_deg = stopped(view.pitch_deg, view.pitch_deg + up_deg, PITCHES);
 }
 
 /// Moves the camera round the hole to the right and up.
 pub fn orbit(view: &mut View, right_deg: f64, up_deg: f64) {
     view.orbit_deg = wrapped(view.orbit_deg + right_deg);
-    view.latitude_deg = (view.latitude_deg + up_deg).clamp(-90.0, 90.0);
+    view.latitude_deg = stopped(view.latitude_deg, view.latitude_deg + up_deg, PITCHES);
 }
 
 /// Divides r − 1 by e to the `power`.
 pub fn approach(view: &mut View, power: f64) {
-    let above_horizon = (view.radius - 1.0) * (-power).exp();
-    view.radius = (1.0 + above_horizon).clamp(MIN_RADIUS, MAX_WINDOW_RADIUS);
+    let moved = 1.0 + (view.radius - 1.0) * (-power).exp();
+    // Beside the horizon a small step would be lost in rounding, and the camera never get away.
+    let moved = match power < 0.0 {
+        true => moved.max(view.radius.next_up()),
+        false => moved,
+    };
+    view.radius = stopped(view.radius, moved, RADII);
 }
 
 /// Approaches by notches of the wheel.
@@ -67,13 +75,34 @@ pub fn scroll(view: &mut View, notches: f64) {
 
 /// Makes the field of view smaller by notches.
 pub fn zoom(view: &mut View, notches: f64) {
-    let (least, most) = (*FIELDS_OF_VIEW.start(), *FIELDS_OF_VIEW.end());
-    view.fov_deg = (view.fov_deg * NOTCH.powf(notches)).clamp(least, most);
+    let zoomed = view.fov_deg * NOTCH.powf(notches);
+    view.fov_deg = stopped(view.fov_deg, zoomed, FIELDS_OF_VIEW);
+}
+
+/// The same view with its angles from −180 to 180.
+pub fn unwound(view: &View) -> View {
+    View {
+        orbit_deg: wrapped(view.orbit_deg),
+        latitude_deg: wrapped(view.latitude_deg),
+        yaw_deg: wrapped(view.yaw_deg),
+        pitch_deg: wrapped(view.pitch_deg),
+        roll_deg: wrapped(view.roll_deg),
+        ..*view
+    }
+}
+
+/// Where a movement from `before` to `after` ends: at an end of `range`, or if it began beyond that end, no
+/// farther out.
+fn stopped(before: f64, after: f64, range: RangeInclusive<f64>) -> f64 {
+    after.clamp(range.start().min(before), range.end().max(before))
 }
 
 /// To −180 … 180.
 fn wrapped(degrees: f64) -> f64 {
-    (degrees + 180.0).rem_euclid(360.0) - 180.0
+    match (-180.0..=180.0).contains(&degrees) {
+        true => degrees,
+        false => (degrees + 180.0).rem_euclid(360.0) - 180.0,
+    }
 }
 
 #[cfg(test)]
@@ -115,6 +144,48 @@ mod tests {
         assert!(step(2.0) < 0.1 * step(25.0));
     }
 
+    #[test]
+    fn what_a_flag_has_set_beyond_an_end_moves_inwards_only() {
+        let far = View {
+            radius: 5000.0,
+            fov_deg: 0.01,
+            pitch_deg: 120.0,
+            ..View::default()
+        };
+        let mut view = far;
+        Drive::Farther.steer(&mut view, 1.0);
+        zoom(&mut view, 3.0);
+        look(&mut view, 0.0, 10.0);
+        assert_eq!(view, far);
+        Drive::Nearer.steer(&mut view, 0.1);
+        zoom(&mut view, -1.0);
+        look(&mut view, 0.0, -10.0);
+        assert!((4000.0..5000.0).contains(&view.radius), "{view:?}");
+        assert!((0.01..0.02).contains(&view.fov_deg), "{view:?}");
+        assert_eq!(view.pitch_deg, 110.0);
+        // Where a step is less than the last digit, steps still lead away.
+        view.radius = 1.0f64.next_up();
+        for _ in 0..10_000 {
+            Drive::Farther.steer(&mut view, 0.016);
+        }
+        assert_eq!(view.radius, *RADII.end());
+    }
+
+    #[test]
+    fn unwinding_changes_no_angle_that_is_wound_off() {
+        let wound = View {
+            yaw_deg: 380.0,
+            pitch_deg: -190.0,
+            roll_deg: 0.1,
+            ..View::default()
+        };
+        let view = unwound(&wound);
+        assert_eq!(
+            (view.yaw_deg, view.pitch_deg, view.roll_deg),
+            (20.0, 170.0, 0.1)
+        );
+    }
+
     proptest! {
         #[test]
         fn no_motion_makes_a_view_without_a_camera(
@@ -133,7 +204,7 @@ mod tests {
                     _ => approach(&mut view, 1e-3 * amount),
                 }
                 prop_assert!(crate::camera::Camera::new(&view).is_ok(), "{view:?}");
-                prop_assert!(view.radius >= MIN_RADIUS);
+                prop_assert!(RADII.contains(&view.radius));
             }
         }
     }

@@ -1,11 +1,14 @@
 //! What the window is told to show; keys and panel change it, a frame reads it.
 
-use super::motion::ORBIT_SPEEDS;
+use super::keys::Change;
+use super::motion::{self, ORBIT_SPEEDS};
 use super::resolution::Resolution;
 use crate::camera::View;
 use crate::gpu::{Edge, Show, Showing};
 use crate::scene::{Method, Sampling};
+use std::ops::RangeInclusive;
 use std::time::Duration;
+use thiserror::Error;
 
 /// Table against direct integration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -71,17 +74,34 @@ pub struct Settings {
     pub help: bool,
 }
 
+/// A number among the settings that makes no sense.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error("{what} {value} is not from {least} to {most}")]
+pub struct OutOfRange {
+    /// Which.
+    pub what: &'static str,
+    /// What it is.
+    pub value: f64,
+    /// The least that it may be.
+    pub least: f64,
+    /// The most.
+    pub most: f64,
+}
+
 impl Settings {
     /// Gains that make sense: with 1 nothing is amplified.
-    pub const GAINS: std::ops::RangeInclusive<f32> = 1.0..=1048576.0;
+    pub const GAINS: RangeInclusive<f32> = 1.0..=1048576.0;
 
     /// Exposures to choose from, stops.
-    pub const EXPOSURES: std::ops::RangeInclusive<f32> = -8.0..=8.0;
+    pub const EXPOSURES: RangeInclusive<f32> = -8.0..=8.0;
+
+    /// Frame times for the automatic resolution to hold, ms.
+    pub const TARGETS_MS: RangeInclusive<f64> = 4.0..=200.0;
 
     /// The settings at the start, in a view.
     pub fn new(view: View, step: f64) -> Self {
         Settings {
-            view,
+            view: motion::unwound(&view),
             orbit_speed: 0,
             deflection: true,
             comparison: Comparison::Table,
@@ -95,6 +115,48 @@ impl Settings {
             panel: true,
             help: false,
         }
+    }
+
+    /// All numbers, each as a function that copies it from the second settings to the first. With them a
+    /// change can be taken over in part.
+    pub(super) const PARTS: [fn(&mut Settings, &Settings); 11] = [
+        |to, from| to.view.radius = from.view.radius,
+        |to, from| to.view.fov_deg = from.view.fov_deg,
+        |to, from| to.view.yaw_deg = from.view.yaw_deg,
+        |to, from| to.view.pitch_deg = from.view.pitch_deg,
+        |to, from| to.view.roll_deg = from.view.roll_deg,
+        |to, from| to.view.orbit_deg = from.view.orbit_deg,
+        |to, from| to.view.latitude_deg = from.view.latitude_deg,
+        |to, from| to.divider = from.divider,
+        |to, from| to.gain = from.gain,
+        |to, from| to.exposure = from.exposure,
+        |to, from| to.target_ms = from.target_ms,
+    ];
+
+    /// Checks the numbers that are not the camera's.
+    ///
+    /// # Errors
+    /// [`OutOfRange`] names the first that is not in its range.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        let wide = |range: RangeInclusive<f32>| f64::from(*range.start())..=f64::from(*range.end());
+        let numbers = [
+            ("divider", self.divider, 0.0..=1.0),
+            ("amplification", self.gain.into(), wide(Self::GAINS)),
+            ("exposure", self.exposure.into(), wide(Self::EXPOSURES)),
+            ("frame time", self.target_ms, Self::TARGETS_MS),
+        ];
+        for (what, value, range) in numbers {
+            if !range.contains(&value) {
+                let (least, most) = range.into_inner();
+                return Err(OutOfRange {
+                    what,
+                    value,
+                    least,
+                    most,
+                });
+            }
+        }
+        Ok(())
     }
 
     /// Who turns the light.
@@ -137,16 +199,29 @@ impl Settings {
         (self.divider * f64::from(width)).round() as u32
     }
 
-    /// Filters the picture or draws one ray a pixel, whichever it does not now.
-    pub fn toggle_filter(&mut self) {
-        self.sampling = match self.sampling {
-            Sampling::Filtered => Sampling::Single,
-            Sampling::Single => Sampling::Filtered,
-        };
+    /// Changes them as a key does.
+    pub fn change(&mut self, change: Change) {
+        match change {
+            Change::NextOrbitSpeed => {
+                self.orbit_speed = (self.orbit_speed + 1) % ORBIT_SPEEDS.len();
+            }
+            Change::ToggleDeflection => self.deflection ^= true,
+            Change::ToggleFilter => {
+                let all = [Sampling::Filtered, Sampling::Single];
+                self.sampling = next(&all, self.sampling);
+            }
+            Change::NextComparison => self.comparison = next(&Comparison::ALL, self.comparison),
+            Change::NextResolution => self.resolution = next(&Resolution::ALL, self.resolution),
+            Change::ZoomIn => motion::zoom(&mut self.view, 1.0),
+            Change::ZoomOut => motion::zoom(&mut self.view, -1.0),
+            Change::MoreGain => self.amplify(4.0),
+            Change::LessGain => self.amplify(0.25),
+            Change::TogglePanel => self.panel ^= true,
+            Change::ToggleHelp => self.help ^= true,
+        }
     }
 
-    /// Multiplies the gain by a factor.
-    pub fn amplify(&mut self, factor: f32) {
+    fn amplify(&mut self, factor: f32) {
         self.gain = (self.gain * factor).clamp(*Self::GAINS.start(), *Self::GAINS.end());
     }
 

@@ -1,0 +1,255 @@
+//! What the window shows, and the one rule that it keeps: whatever keys, mouse, panel, dropped files and
+//! flags do, settings and table make a picture.
+//!
+//! They change [`State::settings`] as they like. [`State::settle`] then takes over what can be drawn, leaves
+//! the rest as it was, and says why. [`State::plan`] draws what was taken over last.
+
+use super::plan::{Plan, PlanError};
+use super::settings::{OutOfRange, Settings};
+use super::title;
+use crate::camera::CameraError;
+use crate::scene::SceneError;
+use lensbake_tables::{Rows, Table, TableError};
+use std::fmt;
+use std::path::Path;
+use std::rc::Rc;
+use thiserror::Error;
+
+/// A table, and what it is called.
+#[derive(Clone)]
+pub struct NamedTable {
+    table: Rc<Table>,
+    name: String,
+}
+
+/// What the window shows.
+#[derive(Debug, Clone)]
+pub struct State {
+    /// What keys, mouse and panel change.
+    pub settings: Settings,
+    /// The settings as they were when they could be drawn last.
+    drawable: Settings,
+    table: NamedTable,
+    start: (Settings, NamedTable),
+}
+
+/// Something that cannot be drawn.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum Refusal {
+    /// A number that makes no sense.
+    #[error(transparent)]
+    Number(#[from] OutOfRange),
+    /// A view without a camera.
+    #[error(transparent)]
+    View(#[from] CameraError),
+    /// A table that does not serve the camera.
+    #[error("{name}: {problem}")]
+    Table {
+        /// The table.
+        name: String,
+        /// What is wrong.
+        problem: SceneError,
+    },
+    /// A table of one observer, who can be no camera.
+    #[error("{name} holds one observer only, and no camera can be there: {problem}")]
+    Observer {
+        /// The table.
+        name: String,
+        /// Why not.
+        problem: CameraError,
+    },
+}
+
+impl Refusal {
+    /// Whether the table is one of another radius.
+    fn is_of_radius(&self) -> bool {
+        let Refusal::Table { problem, .. } = self else {
+            return false;
+        };
+        matches!(problem, SceneError::Table(TableError::OtherObserver { .. }))
+    }
+}
+
+impl NamedTable {
+    /// A table that a file of this name, or the program itself, has.
+    pub fn new(table: Table, name: impl Into<String>) -> Self {
+        NamedTable {
+            table: Rc::new(table),
+            name: name.into(),
+        }
+    }
+
+    /// The table.
+    pub fn table(&self) -> &Table {
+        &self.table
+    }
+
+    /// Its name, without the folders that lead to it.
+    pub fn short_name(&self) -> String {
+        let file = Path::new(&self.name).file_name();
+        file.map_or_else(|| self.name.clone(), |name| name.display().to_string())
+    }
+
+    /// The radius of the one observer that it serves, if it serves no other.
+    fn only_radius(&self) -> Option<f64> {
+        match self.table.header().rows {
+            Rows::One { inverse_radius } => Some(1.0 / inverse_radius),
+            Rows::Chi { .. } => None,
+        }
+    }
+
+    fn draws(&self, settings: &Settings) -> Result<Plan, Refusal> {
+        settings.check()?;
+        self.plan(settings, [1, 1], 1.0)
+    }
+
+    fn plan(&self, settings: &Settings, window: [u32; 2], scale: f64) -> Result<Plan, Refusal> {
+        Plan::new(settings, &self.table, window, scale).map_err(|problem| match problem {
+            PlanError::Camera(problem) => Refusal::View(problem),
+            PlanError::Scene(problem) => Refusal::Table {
+                name: self.name.clone(),
+                problem,
+            },
+        })
+    }
+}
+
+impl fmt::Debug for NamedTable {
+    /// Only the name: the texels would fill pages.
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        self.name.fmt(f)
+    }
+}
+
+impl State {
+    /// The state at the start.
+    ///
+    /// # Errors
+    /// [`Refusal`] if it cannot be drawn.
+    pub fn new(settings: Settings, table: NamedTable) -> Result<Self, Refusal> {
+        table.draws(&settings)?;
+        Ok(State {
+            drawable: settings.clone(),
+            start: (settings.clone(), table.clone()),
+            settings,
+            table,
+        })
+    }
+
+    /// The table in use.
+    pub fn table(&self) -> &NamedTable {
+        &self.table
+    }
+
+    /// Why the radius cannot be changed, if it cannot.
+    pub fn held_radius(&self) -> Option<String> {
+        let radius = self.table.only_radius()?;
+        let start = &self.start.1;
+        let way_out = match start.only_radius() {
+            Some(_) => "drop another table to move".to_owned(),
+            None => format!(
+                "drop another table, or press Home for {}",
+                start.short_name()
+            ),
+        };
+        let (name, radius) = (self.table.short_name(), title::radius(radius));
+        Some(format!("{name} holds r = {radius} only: {way_out}"))
+    }
+
+    /// Takes over what of the changed settings can be drawn and puts the rest back to what it was. Returns
+    /// why, if something was put back.
+    pub fn settle(&mut self) -> Option<String> {
+        if self.settings == self.drawable {
+            return None;
+        }
+        let refusal = self.table.draws(&self.settings).err();
+        if refusal.is_some() {
+            self.settings = self.mended();
+        }
+        self.drawable = self.settings.clone();
+        refusal.map(|refusal| self.in_words(&refusal))
+    }
+
+    /// The settings with those numbers put back that cannot be drawn with.
+    fn mended(&self) -> Settings {
+        let mut mended = self.settings.clone();
+        for part in Settings::PARTS {
+            part(&mut mended, &self.drawable);
+        }
+        for part in Settings::PARTS {
+            let mut next = mended.clone();
+            part(&mut next, &self.settings);
+            if self.table.draws(&next).is_ok() {
+                mended = next;
+            }
+        }
+        mended
+    }
+
+    fn in_words(&self, refusal: &Refusal) -> String {
+        let held = self.held_radius().filter(|_| refusal.is_of_radius());
+        held.unwrap_or_else(|| refusal.to_string())
+    }
+
+    /// Draws with another table from now on. If it has one row only, of another radius, the camera goes
+    /// there. Returns what to say.
+    ///
+    /// # Errors
+    /// [`Refusal`] if it cannot be drawn with; then nothing changes.
+    pub fn take_table(&mut self, table: NamedTable) -> Result<String, Refusal> {
+        self.settle();
+        let mut settings = self.drawable.clone();
+        let mut said = format!("table: {}", table.name);
+        let elsewhere = table.draws(&settings).is_err_and(|e| e.is_of_radius());
+        if let Some(radius) = table.only_radius().filter(|_| elsewhere) {
+            settings.view.radius = radius;
+            let radius = title::radius(radius);
+            said += &format!(", which holds r = {radius} only: the camera went there");
+        }
+        table.draws(&settings).map_err(|refusal| match refusal {
+            Refusal::View(problem) => Refusal::Observer {
+                name: table.name.clone(),
+                problem,
+            },
+            other => other,
+        })?;
+        self.table = table;
+        self.put(settings);
+        Ok(said)
+    }
+
+    /// Goes back to the settings of the start, except for panel and help. If the table in use does not serve
+    /// them, it goes back to the table of the start too, and returns what to say about that.
+    pub fn reset(&mut self) -> Option<String> {
+        let (start, table) = self.start.clone();
+        let left = self.table.draws(&start).is_err();
+        let said = left.then(|| {
+            let [old, new] = [&self.table, &table].map(NamedTable::short_name);
+            let radius = title::radius(start.view.radius);
+            format!("table: {new}, for {old} does not hold r = {radius}")
+        });
+        if left {
+            self.table = table;
+        }
+        self.put(Settings {
+            panel: self.settings.panel,
+            help: self.settings.help,
+            ..start
+        });
+        said
+    }
+
+    fn put(&mut self, settings: Settings) {
+        self.drawable = settings.clone();
+        self.settings = settings;
+    }
+
+    /// What a window of `window` pixels shows, drawn in `scale` pixels for each of them each way: what was
+    /// settled last.
+    ///
+    /// # Errors
+    /// [`Refusal::View`] if no picture has so many pixels.
+    pub fn plan(&self, window: [u32; 2], scale: f64) -> Result<Plan, Refusal> {
+        self.table.plan(&self.drawable, window, scale)
+    }
+}
