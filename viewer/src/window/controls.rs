@@ -277,10 +277,19 @@ mod tests {
     use super::super::message;
     use super::*;
     use crate::camera::View;
-    use egui::{Pos2, RawInput, Rect};
+    use egui::{Pos2, RawInput, Rect, Shape};
 
-    /// Where panel, help and message lie in a window of this size in points, with names of `length` letters.
-    fn laid_out([width, height]: [f32; 2], length: usize) -> (Rect, [Option<Rect>; 3]) {
+    /// What a window of this size in points shows.
+    struct LaidOut {
+        screen: Rect,
+        /// Panel, help and message.
+        areas: [Rect; 3],
+        /// The largest part of a line of text that is cut off at its right or left, points.
+        cut: f32,
+    }
+
+    /// Panel, help and a message with names of `length` letters.
+    fn laid_out([width, height]: [f32; 2], length: usize) -> LaidOut {
         let screen = Rect::from_min_size(Pos2::ZERO, vec2(width, height));
         let name = "sky-of-a-long-name".chars().cycle().take(length);
         let name: String = name.collect();
@@ -298,6 +307,7 @@ mod tests {
         let mut settings = Settings::new(View::default(), 0.05);
         settings.help = true;
         let context = Context::default();
+        let mut cut = 0.0;
         // A few frames, for egui finds sizes out as it goes.
         for _ in 0..4 {
             let input = RawInput {
@@ -309,21 +319,30 @@ mod tests {
                 message::show(ui.ctx(), &format!("/{name}/{name}: no such file"));
             });
             painted.textures_delta.clear();
+            let texts = painted.shapes.iter().filter_map(|clipped| {
+                let Shape::Text(text) = &clipped.shape else {
+                    return None;
+                };
+                let (text, clip) = (text.visual_bounding_rect(), clipped.clip_rect);
+                Some((clip.left() - text.left()).max(text.right() - clip.right()))
+            });
+            cut = texts.fold(0.0, f32::max);
         }
         let areas = [PANEL, HELP, message::ID].map(Id::unique);
-        let areas = areas.map(|id| context.memory(|memory| memory.area_rect(id)));
-        (screen, areas)
+        let areas = areas.map(|id| context.memory(|memory| memory.area_rect(id)).unwrap());
+        LaidOut { screen, areas, cut }
     }
 
     #[test]
     fn whatever_the_names_are_all_lies_in_the_window() {
         for size in [[1280.0, 720.0], [640.0, 360.0], [300.0, 200.0]] {
             for length in [3, 255, 4000] {
-                let (screen, areas) = laid_out(size, length);
+                let LaidOut { screen, areas, cut } = laid_out(size, length);
                 for area in areas {
-                    let area = area.unwrap();
                     assert!(screen.contains_rect(area), "{size:?}, {length}: {area:?}");
                 }
+                let narrow = size[0] < 480.0;
+                assert!(narrow || cut < 1.0, "{size:?}, {length}: {cut} cut off");
             }
         }
     }
