@@ -145,7 +145,7 @@ fn png(size: [u32; 2], profile: &[u8]) -> Vec<u8> {
 
 /// As zlib packs them: a zero, then 2^31 / 258 times "the last 258 bytes again", in 13 bits each.
 fn two_gibibytes_of_zeros() -> Vec<u8> {
-    // From the lowest bit on: last block, fixed codes; the code of the literal 0.
+    // From the lowest bit on: 1 for the last block, 01 for fixed codes, and the code of the literal 0.
     let (mut bits, mut count) = (0b000_0110_0011_u64, 11);
     let mut packed = vec![0x78, 0x01];
     let mut put = |code: u64, length: u32| {
