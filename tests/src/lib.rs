@@ -4,6 +4,7 @@ mod damaged;
 #[cfg(target_os = "linux")]
 pub mod desktop;
 pub mod probe;
+pub mod screen;
 
 pub use damaged::{Damaged, damaged_tables};
 
