@@ -12,8 +12,8 @@ use viewer::stars::{self, StarField};
 
 fn scene() -> Scene {
     let view = View {
-        width: 320,
-        height: 180,
+        width: 160,
+        height: 90,
         ..View::default()
     };
     Scene::new(Camera::new(&view).unwrap(), default_atlas(), Method::Lut).unwrap()
@@ -59,8 +59,8 @@ fn a_live_picture_tells_whether_it_has_the_light_of_all_stars() {
         assert!(!live.awaits_star_light(), "all have come back");
     }
     // So bright that each has halos: more than two million places of lists.
-    live.set_stars(field(Some(14.0)).as_ref());
-    for _ in 0..10 {
+    live.set_stars(field(Some(12.0)).as_ref());
+    for _ in 0..2 {
         let light = report(&gpu, &stopwatch, &mut live, &scene);
         assert_eq!(light, StarLight::PartLost);
     }
@@ -76,8 +76,8 @@ fn frames_that_nobody_asks_about_do_no_harm() {
     let gpu = gpu();
     let scene = scene();
     let stopwatch = Stopwatch::new(&gpu);
-    let mut live = live(&gpu, &scene, Some(14.0));
-    for _ in 0..20 {
+    let mut live = live(&gpu, &scene, Some(12.0));
+    for _ in 0..6 {
         live.show(&scene, Show::Picture);
         stopwatch.submit(&gpu, &live);
     }

@@ -68,6 +68,12 @@ mod tests {
     }
 
     #[test]
+    fn light_that_overflows_as_it_is_exposed_keeps_its_hue() {
+        let shown = tone_map(Vec3::new(1.0, 0.5, 0.1) * 1e32, *EXPOSURES.end());
+        assert_eq!(shown, Vec3::new(1.0, 0.5, 0.1));
+    }
+
+    #[test]
     fn the_brightest_light_at_the_longest_exposure_is_shown() {
         let shown = tone_map(Vec3::splat(65504.0), *EXPOSURES.end());
         assert!(shown.is_finite() && shown.x <= 1.0, "{shown}");

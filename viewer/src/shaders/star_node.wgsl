@@ -33,11 +33,6 @@ fn first_pixel(group: vec2<u32>) -> vec2<u32> {
     return group * vec2(SHARING_X, SHARING_Y);
 }
 
-// Where the heads of the lists have that of a group, after the number of places asked for.
-fn head_of(group: vec2<u32>) -> u32 {
-    return 1u + group.y * ((frame.size.x + SHARING_X - 1u) / SHARING_X) + group.x;
-}
-
 // 2 to the power of n - 127, for n from 1 to 254.
 fn power(n: u32) -> f32 {
     return bitcast<f32>(n << 23u);
@@ -65,7 +60,8 @@ fn unpacked(texel: vec4<u32>) -> Node {
     return Node(
         vec3<f32>(mantissa) * power(127u + (texel.z >> 24u) - LEAST - 16u),
         vec2<f32>(at) * (1.0 / STEPS) - BEFORE,
-        texel.x >> 26u,
+        // With its sign: see ONE_PIXEL.
+        bitcast<u32>(bitcast<i32>(texel.x) >> 26u),
         texel.x & 0x3ffffffu,
     );
 }

@@ -18,6 +18,7 @@ mod screenshot;
 pub mod settings;
 mod skies;
 mod stage;
+mod star_notice;
 
 pub use app::{Options, run};
 pub use resolution::{AutoScale, Resolution};

@@ -11,6 +11,7 @@ use super::resolution::{AutoScale, Resolution};
 use super::settings::{Comparison, Settings, next};
 use super::skies::Skies;
 use super::stage::{Shown, Stage};
+use super::star_notice::StarNotice;
 use super::{WindowError, files, screenshot};
 use crate::sky::Sky;
 use crate::stars::StarField;
@@ -42,6 +43,7 @@ pub struct Running {
     stars: StarField,
     stars_everywhere: bool,
     stars_shown: bool,
+    star_notice: StarNotice,
     proxy: EventLoopProxy<Arrival>,
     table: Table,
     table_name: String,
@@ -87,6 +89,7 @@ impl Running {
             stars: options.stars,
             stars_everywhere: options.stars_everywhere,
             stars_shown: false,
+            star_notice: StarNotice::default(),
             window,
             stage,
             panel,
@@ -299,10 +302,13 @@ impl Running {
         let shown = self.stage.show(&plan, &mut paint)?;
         self.fulfil(wish);
         self.learn();
+        self.notice_lost_stars(now);
         let wait = match shown {
             // A covered or minimised window: look again now and then.
             Shown::NotNow => RETRY,
             Shown::Yes if moving || before != self.settings => Duration::ZERO,
+            // The picture is not drawn again for this.
+            Shown::Yes if self.stage.awaits_star_light() => RETRY.min(again),
             Shown::Yes => again,
         };
         self.next_frame = (wait < NEVER).then(|| now + wait.max(self.pace()));
@@ -364,6 +370,14 @@ impl Running {
             if self.settings.resolution == Resolution::Auto {
                 self.auto.learn(lap.frame, self.settings.target());
             }
+        }
+    }
+
+    fn notice_lost_stars(&mut self, now: Instant) {
+        let light = self.stage.star_light();
+        if let Some(notice) = light.and_then(|light| self.star_notice.of(light, now)) {
+            self.refuse(notice.into());
+            self.redraw();
         }
     }
 
