@@ -5,6 +5,7 @@ mod damaged;
 pub mod desktop;
 pub mod exr_files;
 pub mod probe;
+pub mod screen;
 #[cfg(unix)]
 pub mod streams;
 

@@ -16,10 +16,15 @@ pub const EXPOSURES: std::ops::RangeInclusive<f32> = -32.0..=32.0;
 ///
 /// With p the greatest channel, light with p ≤ 0.8 is unchanged; above, p becomes
 /// 1 − 0.2²/(p − 0.6), which joins with slope 1 and tends to 1, and the other channels keep their
-/// ratio to it: a bright colour stays that colour and does not turn white.
+/// ratio to it: a bright colour stays that colour and does not turn white, even where the exposed light is more
+/// than f32 holds.
 pub fn tone_map(light: Vec3, exposure: f32) -> Vec3 {
+    let unexposed = light;
     let light = light * exposure.exp2();
     let peak = light.max_element();
+    if peak == f32::INFINITY {
+        return unexposed / unexposed.max_element();
+    }
     if peak <= KNEE {
         return light;
     }
@@ -60,6 +65,12 @@ mod tests {
             before = shown.x;
         }
         assert!(before > 0.999);
+    }
+
+    #[test]
+    fn light_that_overflows_as_it_is_exposed_keeps_its_hue() {
+        let shown = tone_map(Vec3::new(1.0, 0.5, 0.1) * 1e32, *EXPOSURES.end());
+        assert_eq!(shown, Vec3::new(1.0, 0.5, 0.1));
     }
 
     #[test]

@@ -1,14 +1,14 @@
 //! `viewer render`: a picture to a file.
 
 use super::{CommandError, gpu_for, least, scene, spare_inputs, star_field};
-use crate::cli::{MethodName, RenderArgs, SamplingName, ViewArgs};
+use crate::cli::{DeviceName, MethodName, RenderArgs, SamplingName, ViewArgs};
 use lensbake_report::{Outcome, Printer, Progress, message};
 use lensbake_tables::output::Output;
 use std::path::Path;
 use std::time::Instant;
 use viewer::cpu;
 use viewer::filtered::Pixels;
-use viewer::gpu::{Gpu, Renderer};
+use viewer::gpu::{Gpu, GpuError, Renderer};
 use viewer::model::DEFAULT_BUDGET_PX;
 use viewer::picture::{Picture, PictureFormat, WithoutValue};
 use viewer::scene::{Method, Sampling, Scene};
@@ -49,13 +49,9 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
         }
     }
     let started = Instant::now();
-    let picture = match &gpu {
-        Some(gpu) => on_gpu(gpu, &scene, &sky, stars.as_ref())?,
-        None => on_cpu(&scene, &sky, stars.as_ref())?,
-    };
+    let (picture, device) = draw(gpu, args.scene.device, &scene, &sky, stars.as_ref())?;
     let seconds = started.elapsed().as_secs_f64();
     file.write(&picture, args.exposure)?;
-    let device = gpu.map_or("the CPU".into(), |gpu| gpu.name());
     message!("drawn on {device} in {seconds:.3} s");
     if scene.sampling == Sampling::Filtered {
         message!("{}", extra_rays(&scene));
@@ -114,6 +110,28 @@ fn extra_rays(scene: &Scene) -> String {
     let extra: u64 = extra.into_iter().map(u64::from).sum();
     let percent = 100.0 * extra as f64 / camera.pixels() as f64;
     format!("{extra} extra rays beside the shadow's edge, {percent:.2} % of one a pixel")
+}
+
+/// Draws `scene` on the GPU, if there is one, else on the CPU; returns the picture and where it was drawn.
+/// Stars that the GPU has no room for are drawn on the CPU unless the GPU was asked for.
+fn draw(
+    gpu: Option<Gpu>,
+    asked_for: DeviceName,
+    scene: &Scene,
+    sky: &Sky,
+    stars: Option<&StarField>,
+) -> Result<(Picture, String), CommandError> {
+    if let Some(gpu) = gpu {
+        match on_gpu(&gpu, scene, sky, stars) {
+            Err(CommandError::Gpu(GpuError::TooManyStars)) if asked_for == DeviceName::Auto => {
+                message!(
+                    "viewer: drawing on the CPU: the GPU has no room for so many images of stars"
+                );
+            }
+            drawn => return Ok((drawn?, gpu.name())),
+        }
+    }
+    Ok((on_cpu(scene, sky, stars)?, "the CPU".into()))
 }
 
 fn on_gpu(

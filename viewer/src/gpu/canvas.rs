@@ -4,7 +4,7 @@
 use super::bindings::{bind_group, block_of};
 use super::blocks::{self, BLOCK, BlockLists};
 use super::renderer::{Program, Renderer};
-use super::stars::StarLists;
+use super::stars::{StarLight, StarLists};
 use super::texture::texture;
 use super::{Frame, Gpu, GpuError, Store, Tile};
 use crate::scene::{Sampling, Scene};
@@ -128,6 +128,17 @@ impl Canvas {
         self.stars.as_ref().map_or(Ok(()), |lists| lists.check(gpu))
     }
 
+    /// Whether the newest of the pictures that have come back since the last call has all light of its stars;
+    /// none if none has come back. Waits for no one. To be called after the submission of what was encoded.
+    pub fn star_light(&self) -> Option<StarLight> {
+        self.stars.as_ref().and_then(StarLists::arrived)
+    }
+
+    /// Whether [`Canvas::star_light`] will have something to tell.
+    pub fn awaits_star_light(&self) -> bool {
+        self.stars.as_ref().is_some_and(StarLists::awaited)
+    }
+
     /// The lists of blocks of the tiles.
     #[cfg(test)]
     pub(super) fn block_lists(&self) -> &BlockLists {
@@ -212,6 +223,10 @@ impl Canvas {
                 let [across, down] = self.tiles[index].count.map(|n| n.div_ceil(BLOCK));
                 pass.dispatch_workgroups(across, down, 1);
             }
+        }
+        drop(pass);
+        if let Some(lists) = lists {
+            lists.report(encoder);
         }
     }
 

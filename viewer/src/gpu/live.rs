@@ -2,7 +2,9 @@
 //! writes what has changed and dispatches what the picture needs.
 
 use super::canvas::shape;
-use super::{Canvas, Output, Passes, Program, Renderer, Store, Target, Tile, band_pixels};
+use super::{
+    Canvas, Output, Passes, Program, Renderer, StarLight, Store, Target, Tile, band_pixels,
+};
 use crate::scene::{Method, Sampling, Scene};
 use crate::stars::StarField;
 use lensbake_tables::Row;
@@ -118,6 +120,18 @@ impl Live {
     pub fn set_stars(&mut self, field: Option<&StarField>) {
         self.renderer.set_stars(field);
         self.remake();
+    }
+
+    /// Whether the newest of the frames that have come back since the last call has all light of its stars;
+    /// none if none has come back. Waits for no one: to be asked after each frame is submitted, and
+    /// again while [`Live::awaits_star_light`].
+    pub fn star_light(&self) -> Option<StarLight> {
+        self.canvas.star_light()
+    }
+
+    /// Whether a frame is under way of which [`Live::star_light`] will tell.
+    pub fn awaits_star_light(&self) -> bool {
+        self.canvas.awaits_star_light()
     }
 
     fn remake(&mut self) {

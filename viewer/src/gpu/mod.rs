@@ -26,6 +26,7 @@ pub use prepared::{Prepared, band_pixels};
 pub use present::{Edge, Presenter, Showing};
 pub use renderer::{Program, Renderer, SkyOnDevice, Trace};
 pub use shader::{Output, Store, entry_points, shader_source};
+pub use stars::StarLight;
 pub use stopwatch::{Lap, Stopwatch, Timed};
 pub(crate) use texture::texture;
 pub use timer::{FrameTime, Passes, Timer};

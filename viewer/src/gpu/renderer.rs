@@ -242,7 +242,8 @@ impl Renderer {
     /// for pictures too large to be kept.
     ///
     /// # Errors
-    /// [`GpuError::Failed`] if the device does.
+    /// [`GpuError::Failed`] if the device does, [`GpuError::TooManyStars`] before the first band is taken if there
+    /// is no room for all of them.
     pub fn stream(
         &self,
         scene: &Scene,
@@ -266,10 +267,14 @@ impl Renderer {
             encoder.copy_buffer_to_buffer(written, 0, &read_back, 0, read_back.size());
             queue.submit([encoder.finish()]);
             let written: Vec<[f32; 4]> = self.gpu.read(&read_back)?;
+            if i == 0 {
+                // All bands read the lists that were made with the first.
+                prepared.canvas().check_stars(&self.gpu)?;
+            }
             let [width, rows] = band.count;
             take(band, &written[..rows as usize * width as usize]);
         }
-        prepared.canvas().check_stars(&self.gpu)
+        Ok(())
     }
 }
 

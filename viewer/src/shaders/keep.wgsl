@@ -1,4 +1,4 @@
-// Keeps what the pixel `id` of the tile sees: the sky, and the stars before it.
+// Keeps what the pixel `id` of the tile sees: the sky.
 fn keep(id: vec2<u32>, sky: vec4<f32>) {
-    store(id, sky + vec4(star_light(frame.first + id), 0.0));
+    store(id, sky);
 }

@@ -1,6 +1,9 @@
 // How the light of a point falls on pixels. Twins of stars/kernel.rs, which gives CORE, how far the core
 // reaches, pixels, and HALOS, how many there are. Kernel 0 is the core, k the halo of radius 2ᵏ⁺¹.
 
+// Light that falls on the one pixel in whose middle it is, all of it: like a halo of radius 1/2, −2 in 32 bits.
+const ONE_PIXEL: u32 = 0xfffffffeu;
+
 // The quadratic B-spline, in either direction.
 fn spline(offset: vec2<f32>) -> vec2<f32> {
     let x = abs(offset);

@@ -44,6 +44,45 @@ struct StarImage {
     magnification: f32,
 }
 
+// Where the list of a group begins that takes this place.
+fn list_of(group: vec2<u32>, place: u32) -> u32 {
+    let index = index_of(group);
+    if place < UNCOUNTED {
+        return head_of(index);
+    }
+    let full = atomicAdd(&heads[head_of(groups()) + index / 2u], 1u) / LIST;
+    if full == 0u {
+        return head_of(index);
+    }
+    return overflow_list((index + 1u) * A_GROUP + full);
+}
+
+fn groups() -> u32 {
+    return groups_across() * ((frame.size.y + SHARING_Y - 1u) / SHARING_Y);
+}
+
+// Where the overflow list of this owner begins. The first who asks takes one that is nobody's: there are more of
+// them than places for.
+fn overflow_list(owner: u32) -> u32 {
+    // Spread by the golden ratio.
+    var list = (owner * 2654435769u) >> (32u - OVERFLOW_BITS);
+    loop {
+        var found = atomicLoad(&heads[OWNERS + list]);
+        if found == 0u {
+            let asked = atomicCompareExchangeWeak(&heads[OWNERS + list], 0u, owner);
+            // It may fail for no reason.
+            found = select(asked.old_value, owner, asked.exchanged);
+        }
+        if found == owner {
+            break;
+        }
+        if found != 0u {
+            list = (list + 1u) % OVERFLOWS;
+        }
+    }
+    return OVERFLOW_HEADS + list;
+}
+
 // Puts light at a point into the lists of the groups of pixels that its kernel touches.
 fn insert(at: vec2<f32>, kernel: u32, light: vec3<f32>) {
     let reach = reach_of(kernel);
@@ -62,8 +101,8 @@ fn insert(at: vec2<f32>, kernel: u32, light: vec3<f32>) {
     loop {
         group.x = first.x;
         loop {
-            if place < PLACES {
-                let next = atomicExchange(&heads[head_of(group)], place);
+            if place < ROOM {
+                let next = atomicExchange(&heads[list_of(group, place)], place);
                 let node = Node(spread_light, at - vec2<f32>(first_pixel(group)), kernel, next);
                 textureStore(nodes, texel_of(place), packed(node));
             }

@@ -5,3 +5,8 @@
 fn store(id: vec2<u32>, pixel: vec4<f32>) {
     output[id.y * frame.count.x + id.x] = pixel;
 }
+
+// The light that a pixel can keep: all.
+fn storable(light: vec3<f32>) -> vec3<f32> {
+    return light;
+}

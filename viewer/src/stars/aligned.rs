@@ -90,28 +90,28 @@ fn arc_angle(distance: f64, radius: f64) -> f64 {
 
 /// The chords of a disc of `radius` whose middle lies at `distance` from the axis, `count` of them.
 fn chords(distance: f64, radius: f64, count: u32) -> impl Iterator<Item = Chord> {
-    let per_area = 1.0 / (PI * radius * radius);
+    // The weight is made of ratios: the square of a tiny radius is 0.
+    let ratio = distance / radius;
     (0..count).map(move |i| {
         let share = (f64::from(i) + 0.5) / f64::from(count);
         if distance < radius {
             let azimuth = TAU * share - PI;
             let (sin, cos) = azimuth.sin_cos();
-            let length = distance * cos + (radius * radius - (distance * sin).powi(2)).sqrt();
+            let length = ratio * cos + (1.0 - (ratio * sin).powi(2)).sqrt();
             Chord {
                 azimuth,
-                middle: 0.5 * length,
-                weight: per_area * length * TAU / f64::from(count),
+                middle: 0.5 * length * radius,
+                weight: 2.0 * length / (radius * f64::from(count)),
             }
         } else {
             // sin φ = (ρ/η) sin t, evenly in t, so that the ends, where the chord vanishes, are smooth.
             let t = PI * share - FRAC_PI_2;
             let sin = radius / distance * t.sin();
             let cos = (1.0 - sin * sin).sqrt();
-            let by_t = radius / distance * t.cos() / cos;
             Chord {
                 azimuth: sin.asin(),
                 middle: distance * cos,
-                weight: per_area * 2.0 * radius * t.cos() * by_t * PI / f64::from(count),
+                weight: 2.0 * t.cos().powi(2) / (distance * cos * f64::from(count)),
             }
         }
     })

@@ -1,7 +1,7 @@
 //! Draws stars on the CPU, in f64: the reference of the GPU's.
 
 use super::aligned::arcs;
-use super::images::{FAINTEST, Lens};
+use super::images::{BRIGHTEST, FAINTEST, Lens};
 use super::kernel::{spread, weight};
 use super::{PointStar, StarField};
 use crate::camera::Camera;
@@ -85,7 +85,7 @@ impl<'a> Drawing<'a> {
         for pair in self.lens.images(direction, self.disc_radius) {
             let mut bright = false;
             for image in pair.into_iter().flatten() {
-                let light = star.light * image.magnification as f32;
+                let light = magnified(star.light, image.magnification);
                 if light.max_element() >= FAINTEST {
                     bright = true;
                     self.add(image.direction, light);
@@ -102,7 +102,7 @@ impl<'a> Drawing<'a> {
         let direction = self.camera.sky_from_hole.transpose() * star.direction;
         let px = self.camera.right.length();
         arcs(lens, direction, disc_radius, px, |piece| {
-            self.add(piece.direction, star.light * piece.magnification as f32);
+            self.add(piece.direction, magnified(star.light, piece.magnification));
         });
     }
 
@@ -119,6 +119,12 @@ impl<'a> Drawing<'a> {
             }
         }
     }
+}
+
+/// `light` so many times brighter, up to [`BRIGHTEST`] in its brightest channel.
+fn magnified(light: Vec3, magnification: f64) -> Vec3 {
+    let most = f64::from(BRIGHTEST) / f64::from(light.max_element());
+    light * magnification.min(most) as f32
 }
 
 fn add(picture: &mut Picture, splat: &Splat) {

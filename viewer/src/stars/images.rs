@@ -13,6 +13,11 @@ use std::f64::consts::{PI, TAU};
 /// it lift black by half a step of 8 bits.
 pub const FAINTEST: f32 = 1.0 / 1024.0;
 
+/// The most light of an image or of a piece of an arc, in white pixels: two million of them, which is as many as
+/// are drawn, on one pixel are no more than f32 holds. No star that a catalogue can hold, at any exposure that the
+/// command line takes, comes near as a point; an arc does only if its star's disc is far smaller than any star's.
+pub const BRIGHTEST: f32 = (1u128 << 104) as f32;
+
 /// Further turns of the light about the hole that are looked at, on either side. Each is fainter than the
 /// one before by about e^2π = 535.
 pub const MAX_WINDINGS: u32 = 3;

@@ -21,6 +21,7 @@ mod screenshot;
 pub mod settings;
 mod skies;
 mod stage;
+mod star_notice;
 pub mod state;
 #[cfg(test)]
 mod state_tests;

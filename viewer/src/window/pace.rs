@@ -6,7 +6,7 @@ use winit::window::Window;
 
 /// A day away: the panel's way to say that it need not be painted again.
 const NEVER: Duration = Duration::from_secs(86_400);
-/// When to try again to show a frame that could not be shown.
+/// When to try again to show a frame that could not be shown, or to look for an answer of the GPU.
 const RETRY: Duration = Duration::from_millis(100);
 /// Frames a second where the screen does not say how many it shows.
 const USUAL_REFRESH_HZ: f64 = 60.0;
@@ -21,6 +21,9 @@ pub enum Left {
     NotShown,
     /// Something moves, or has changed since it was drawn.
     Unrest,
+    /// Nothing moves, but an answer of the GPU is to be looked for soon; the panel wants to be painted again
+    /// after this time.
+    Awaiting(Duration),
     /// Nothing moves; the panel wants to be painted again after this time.
     Rest(Duration),
 }
@@ -31,6 +34,7 @@ impl Left {
         let wait = match self {
             Left::NotShown => RETRY,
             Left::Unrest => Duration::ZERO,
+            Left::Awaiting(again) => RETRY.min(again),
             Left::Rest(again) => again,
         };
         (wait < NEVER).then_some(wait)
@@ -91,6 +95,7 @@ mod tests {
     fn at_rest_no_frame_is_due() {
         assert_eq!(Left::Rest(Duration::MAX).wait(), None);
         assert_eq!(Left::Rest(RETRY).wait(), Some(RETRY));
+        assert_eq!(Left::Awaiting(Duration::MAX).wait(), Some(RETRY));
         assert_eq!(Left::Unrest.wait(), Some(Duration::ZERO));
         assert_eq!(Left::NotShown.wait(), Some(RETRY));
     }

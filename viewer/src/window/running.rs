@@ -12,6 +12,7 @@ use super::plan::{Plan, scaled};
 use super::resolution::{AutoScale, Resolution};
 use super::skies::Skies;
 use super::stage::{Shown, Stage};
+use super::star_notice::StarNotice;
 use super::state::{NamedTable, State};
 use super::{WindowError, files, screenshot, title};
 use crate::sky::{Sky, SkySource};
@@ -33,6 +34,7 @@ pub struct Running {
     stars: StarField,
     stars_everywhere: bool,
     stars_shown: bool,
+    star_notice: StarNotice,
     proxy: EventLoopProxy<Arrival>,
     state: State,
     input: Input,
@@ -72,6 +74,7 @@ impl Running {
             stars: start.stars,
             stars_everywhere: start.stars_everywhere,
             stars_shown: false,
+            star_notice: StarNotice::default(),
             window,
             stage,
             panel,
@@ -262,9 +265,12 @@ impl Running {
         self.fulfil(wish);
         let said = self.settle();
         self.learn();
+        self.notice_lost_stars(now);
         let left = match shown {
             Shown::NotNow => Left::NotShown,
             Shown::Yes if moving || said || self.state.settings != drawn => Left::Unrest,
+            // The picture is not drawn again for this.
+            Shown::Yes if self.stage.awaits_star_light() => Left::Awaiting(again),
             Shown::Yes => Left::Rest(again),
         };
         self.pace.end(now, left, &self.window);
@@ -317,6 +323,14 @@ impl Running {
             if settings.resolution == Resolution::Auto {
                 self.auto.learn(lap.frame, settings.target());
             }
+        }
+    }
+
+    fn notice_lost_stars(&mut self, now: Instant) {
+        let light = self.stage.star_light();
+        if let Some(notice) = light.and_then(|light| self.star_notice.of(light, now)) {
+            self.refuse(notice.into());
+            self.redraw();
         }
     }
 

@@ -4,7 +4,9 @@ use super::panel::Paint;
 use super::plan::Plan;
 use super::{WindowError, screenshot};
 use crate::camera::MAX_SIDE;
-use crate::gpu::{Gpu, GpuError, Lap, Live, Presenter, Renderer, SkyOnDevice, Stopwatch, Timed};
+use crate::gpu::{
+    Gpu, GpuError, Lap, Live, Presenter, Renderer, SkyOnDevice, StarLight, Stopwatch, Timed,
+};
 use crate::sky::Sky;
 use crate::stars::StarField;
 use lensbake_tables::Row;
@@ -239,6 +241,16 @@ impl Stage {
     /// The GPU's times of the frames that have come back since the last call.
     pub fn laps(&self) -> impl Iterator<Item = Lap> {
         self.stopwatch.arrived()
+    }
+
+    /// Whether the picture has all light of its stars, if that has come back since the last call.
+    pub fn star_light(&self) -> Option<StarLight> {
+        self.live.star_light()
+    }
+
+    /// Whether [`Stage::star_light`] will have something to tell.
+    pub fn awaits_star_light(&self) -> bool {
+        self.live.awaits_star_light()
     }
 
     /// Draws a plan without the panel: what the window shows, `[height][width][3]` in 8-bit sRGB.

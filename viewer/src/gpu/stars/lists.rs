@@ -3,8 +3,10 @@
 use super::Stars;
 use super::data::{GpuLens, Piece};
 use super::nodes;
+use super::report::{Reports, StarLight};
 use super::shader::WORKGROUP;
 use crate::gpu::bindings::bind_group;
+use crate::gpu::step::Step;
 use crate::gpu::{Frame, Gpu, GpuError, Tile};
 use crate::scene::{Method, Scene};
 use crate::stars::cells::Candidates;
@@ -31,6 +33,9 @@ pub(in crate::gpu) struct StarLists {
     /// The number of places asked for, and where each list begins.
     heads: Buffer,
     making: BindGroup,
+    folding: BindGroup,
+    linking: BindGroup,
+    reports: Reports,
     reading: BindGroup,
     /// What is on the GPU: the method and the row that the lens was made of.
     shown: Option<(Method, Row, Lens)>,
@@ -72,10 +77,18 @@ impl StarLists {
             whole(&heads),
             BindingResource::TextureView(&nodes),
         ];
+        let overflows = |label, step: &Step| {
+            let nodes = BindingResource::TextureView(&nodes);
+            let resources = [whole(&frame), whole(&heads), nodes];
+            bind_group(device, label, &step.layout, resources)
+        };
         let reading = [whole(&heads), BindingResource::TextureView(&nodes)];
         StarLists {
             making: bind_group(device, "stars to lists", &stars.bent.layout, making),
+            folding: overflows("fold stars", &stars.folding),
+            linking: overflows("link stars", &stars.linking),
             reading: bind_group(device, "lists of stars", &stars.list_layout, reading),
+            reports: Reports::new(device),
             queue: gpu.queue.clone(),
             stars,
             frame,
@@ -141,6 +154,30 @@ impl StarLists {
         pass.set_pipeline(&making.pipeline);
         pass.set_bind_group(0, &self.making, &[]);
         pass.dispatch_workgroups(self.invocations.div_ceil(WORKGROUP), 1, 1);
+        for (step, group) in [
+            (&self.stars.folding, &self.folding),
+            (&self.stars.linking, &self.linking),
+        ] {
+            pass.set_pipeline(&step.pipeline);
+            pass.set_bind_group(0, group, &[]);
+            pass.dispatch_workgroups(nodes::FOLDING / WORKGROUP, 1, 1);
+        }
+    }
+
+    /// Encodes the way back of what [`StarLists::arrived`] tells, after the pass in which the lists were made.
+    pub(in crate::gpu) fn report(&self, encoder: &mut CommandEncoder) {
+        self.reports.encode(encoder, &self.heads, self.full);
+    }
+
+    /// Whether the newest frame that has come back since the last call has all light; none if none has.
+    /// Waits for no one. To be called after the submission of what was encoded.
+    pub(in crate::gpu) fn arrived(&self) -> Option<StarLight> {
+        self.reports.arrived()
+    }
+
+    /// Whether [`StarLists::arrived`] will have something to tell.
+    pub(in crate::gpu) fn awaited(&self) -> bool {
+        self.reports.under_way()
     }
 
     /// The lists as a picture reads them.
@@ -154,9 +191,9 @@ impl StarLists {
     /// [`GpuError::TooManyStars`] if they have not, [`GpuError::Failed`] if the device fails.
     pub(in crate::gpu) fn check(&self, gpu: &Gpu) -> Result<(), GpuError> {
         let asked: Vec<u32> = gpu.copy_back(&self.heads, 4)?;
-        if self.full || !nodes::suffice(asked[0]) {
-            return Err(GpuError::TooManyStars);
+        match StarLight::of(asked[0], self.full) {
+            StarLight::Whole => Ok(()),
+            StarLight::PartLost => Err(GpuError::TooManyStars),
         }
-        Ok(())
     }
 }

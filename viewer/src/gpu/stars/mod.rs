@@ -1,13 +1,15 @@
 //! Stars on a GPU. A first dispatch finds the images of every star and puts their light into lists, one for
-//! each small group of pixels; the picture adds up the lists. So the light is summed in f32, which no
+//! each small group of pixels; two more shorten the lists that have become too long; the picture adds up the lists. So the light is summed in f32, which no
 //! integer atomic and no blending into 16-bit floats would give, on any device that can compute.
 
 mod data;
 mod lists;
 mod nodes;
+mod report;
 mod shader;
 
 pub(super) use lists::StarLists;
+pub use report::StarLight;
 pub(super) use shader::keep;
 
 use super::Gpu;
@@ -29,6 +31,8 @@ pub(super) struct Stars {
     buffer: Buffer,
     bent: Step,
     flat: Step,
+    folding: Step,
+    linking: Step,
     pub(super) list_layout: BindGroupLayout,
 }
 
@@ -37,11 +41,15 @@ impl Stars {
         let device = &gpu.device;
         let cells = Cells::new(field);
         let stars: Vec<GpuStar> = cells.stars().iter().map(GpuStar::from).collect();
+        let written = storage_texture_binding(nodes::FORMAT);
+        let overflows = |name, nodes, source: String| {
+            let bindings = [uniform_binding(false), storage_buffer_binding(false), nodes];
+            Step::new(device, name, &bindings, &source)
+        };
         let lists = |lens| {
             let (read, write) = (storage_buffer_binding(true), storage_buffer_binding(false));
             let uniform = uniform_binding(false);
-            let nodes = storage_texture_binding(nodes::FORMAT);
-            let bindings = [uniform, uniform, read, read, read, write, nodes];
+            let bindings = [uniform, uniform, read, read, read, write, written];
             Step::new(device, "sort_stars", &bindings, &shader::lists(lens))
         };
         Stars {
@@ -52,6 +60,8 @@ impl Stars {
             }),
             bent: lists(shader::BENT),
             flat: lists(shader::FLAT),
+            folding: overflows("fold_stars", uint_texture_binding(), shader::folding()),
+            linking: overflows("link_stars", written, shader::linking()),
             list_layout: bind_group_layout(
                 device,
                 "lists of stars",

@@ -39,20 +39,45 @@ pub(super) fn lists(lens: &str) -> String {
     .join("\n")
 }
 
+/// Adds up the overflow lists.
+pub(super) fn folding() -> String {
+    [
+        &kernels(),
+        FRAME,
+        KERNEL,
+        &nodes::wgsl(),
+        include_str!("../../shaders/star_list.wgsl"),
+        include_str!("../../shaders/fold_stars.wgsl"),
+    ]
+    .join("\n")
+}
+
+/// Puts their sums into the lists of the groups.
+pub(super) fn linking() -> String {
+    [
+        &kernels(),
+        FRAME,
+        KERNEL,
+        &nodes::wgsl(),
+        include_str!("../../shaders/link_stars.wgsl"),
+    ]
+    .join("\n")
+}
+
 /// Keeps what a pixel of a picture sees: the sky, and the stars before it if there are any.
 pub(in crate::gpu) fn keep(stars: bool) -> String {
-    let light = if stars {
-        &[
-            &kernels(),
-            KERNEL,
-            &nodes::wgsl(),
-            include_str!("../../shaders/star_light.wgsl"),
-        ]
-        .join("\n")
-    } else {
-        "fn star_light(pixel: vec2<u32>) -> vec3<f32> { return vec3(0.0); }\n"
-    };
-    [light, include_str!("../../shaders/keep.wgsl")].join("\n")
+    if !stars {
+        return include_str!("../../shaders/keep.wgsl").into();
+    }
+    [
+        &kernels(),
+        KERNEL,
+        &nodes::wgsl(),
+        include_str!("../../shaders/star_list.wgsl"),
+        include_str!("../../shaders/star_light.wgsl"),
+        include_str!("../../shaders/keep_stars.wgsl"),
+    ]
+    .join("\n")
 }
 
 fn kernels() -> String {
@@ -84,5 +109,7 @@ mod tests {
         for lens in [BENT, FLAT] {
             validate(&lists(lens), &["sort_stars"]);
         }
+        validate(&folding(), &["fold_stars"]);
+        validate(&linking(), &["link_stars"]);
     }
 }

@@ -1,0 +1,49 @@
+//! When the window says that stars are missing: once while they are.
+
+use crate::gpu::StarLight;
+use std::time::{Duration, Instant};
+
+/// Only if all stars have been there for so long is it said anew that some are missing: in a moving picture they
+/// may come and go.
+const ALL_THERE: Duration = Duration::from_secs(10);
+
+const NOTICE: &str = "some stars are missing: they have more images than the GPU has room for; start again with a \
+    lower --star-exposure or fewer stars";
+
+/// Whether it has been said.
+#[derive(Debug, Default)]
+pub(super) struct StarNotice {
+    last_missing: Option<Instant>,
+}
+
+impl StarNotice {
+    /// What to say of a frame that came back `now` with this light, if anything.
+    pub(super) fn of(&mut self, light: StarLight, now: Instant) -> Option<&'static str> {
+        if light == StarLight::Whole {
+            return None;
+        }
+        let last = self.last_missing.replace(now);
+        let is_news = last.is_none_or(|last| now.saturating_duration_since(last) > ALL_THERE);
+        is_news.then_some(NOTICE)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_is_said_once_while_stars_are_missing_and_again_after_a_while() {
+        let mut notice = StarNotice::default();
+        let start = Instant::now();
+        let mut at = |seconds, light| notice.of(light, start + Duration::from_secs(seconds));
+        assert_eq!(at(0, StarLight::Whole), None);
+        assert_eq!(at(1, StarLight::PartLost), Some(NOTICE));
+        for seconds in 2..60 {
+            let light = [StarLight::Whole, StarLight::PartLost][seconds as usize % 2];
+            assert_eq!(at(seconds, light), None);
+        }
+        assert_eq!(at(61, StarLight::Whole), None);
+        assert_eq!(at(75, StarLight::PartLost), Some(NOTICE));
+    }
+}
