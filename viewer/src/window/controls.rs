@@ -40,6 +40,8 @@ pub struct Facts {
     pub table: String,
     /// Its largest error, rad, if it was measured.
     pub table_error: Option<f64>,
+    /// By how much the GPU's 32-bit floats may be off, pixels.
+    pub rounding_px: f64,
     /// Why the radius cannot be changed, if it cannot.
     pub held_radius: Option<String>,
     /// The adapter.
@@ -236,6 +238,7 @@ fn costs(ui: &mut Ui, facts: &Facts) {
                 .table_error
                 .map_or("not measured".into(), |error| format!("≤ {error:.1e} rad")),
         ),
+        ("32-bit rounding", format!("≤ {:.1e} px", facts.rounding_px)),
     ];
     ui.weak(RichText::new(&facts.adapter).small());
     Grid::new("costs")
@@ -301,6 +304,7 @@ mod tests {
             picture: [640, 360],
             table: format!("{name}.lbt"),
             table_error: None,
+            rounding_px: 0.01,
             held_radius: None,
             adapter: "none".into(),
         };

@@ -15,6 +15,7 @@ use super::stage::{Shown, Stage};
 use super::star_notice::StarNotice;
 use super::state::{NamedTable, State};
 use super::{WindowError, files, screenshot, title};
+use crate::model::Precision;
 use crate::sky::{Sky, SkySource};
 use crate::stars::StarField;
 use lensbake_report::message;
@@ -345,6 +346,7 @@ impl Running {
             picture: plan.picture(),
             table: table.short_name(),
             table_error: (measured.rays > 0).then_some(measured.max_error),
+            rounding_px: Precision::F32.rounding_px(&plan.window),
             held_radius: self.state.held_radius(),
             adapter: self.stage.gpu().name(),
         }

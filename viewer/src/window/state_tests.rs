@@ -179,6 +179,7 @@ fn facts(state: &State) -> Facts {
         picture: [640, 360],
         table: state.table().short_name(),
         table_error: Some(1e-7),
+        rounding_px: 1e-3,
         held_radius: state.held_radius(),
         adapter: "none".into(),
     }
