@@ -104,19 +104,13 @@ mod tests {
             error_code: 2, sequence: 20, bad_value: 0, minor_opcode: 0, major_opcode: 1, \
             extension_name: None, request_name: Some(\"CreateWindow\") }";
         let refused = says(refused);
-        assert!(
-            refused.contains("(the X server refuses CreateWindow)"),
-            "{refused}"
-        );
+        assert_eq!(refused, "the X server refuses CreateWindow");
         let closed = says("os error at /a/mod.rs:7: Failed to open connection to X server.");
-        assert!(
-            closed.contains("(Failed to open connection to X server)"),
-            "{closed}"
-        );
+        assert_eq!(closed, "Failed to open connection to X server");
         let unknown = says(
             "os error at /a/mod.rs:7: X11 error: X11Error { error_kind: Unknown(7), request_name: None }",
         );
-        assert!(unknown.contains("(X11 error: X11Error)"), "{unknown}");
+        assert_eq!(unknown, "X11 error: X11Error");
         let nested = says("os error at /a/mod.rs:7: Xlib error: XOpenDisplay failed: no such host");
         assert!(
             nested.contains("Xlib error: XOpenDisplay failed: no such host"),
