@@ -74,7 +74,10 @@ fn light(picture: &Picture) -> f64 {
 }
 
 #[track_caller]
-#[expect(clippy::print_stdout, reason = "figures for the person who runs the test")]
+#[expect(
+    clippy::print_stdout,
+    reason = "figures for the person who runs the test"
+)]
 fn same_light(found: f64, expected: f64, most: f64, what: &str) {
     let off = found / expected - 1.0;
     println!("{what}: light {off:+.1e}");
