@@ -76,7 +76,7 @@ impl Axis {
         }
     }
 
-    /// Checks that the axis reaches the ray at `at`, as it does every captured ray.
+    /// Checks that the ray at `at` lies within the range of the axis. Captured rays always do.
     ///
     /// # Errors
     /// [`TableError::OutsideAxis`] if its impact parameter is outside the range of an axis in b, by more

@@ -14,13 +14,13 @@ thread_local! {
 pub fn caught<T>(decode: impl FnOnce() -> T) -> Option<T> {
     silence_decoders();
     let before = DECODING.replace(true);
-    // What a panic leaves half done is dropped with the closure.
+    // State that a panic leaves inconsistent is dropped with the closure.
     let result = panic::catch_unwind(AssertUnwindSafe(decode));
     DECODING.set(before);
     result.ok()
 }
 
-/// From now on a panic inside of a decoder prints nothing; any other goes where it went before.
+/// Installs a panic hook that prints nothing for panics inside a decoder and passes on all others.
 fn silence_decoders() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {

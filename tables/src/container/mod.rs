@@ -64,7 +64,7 @@ pub fn read(path: &Path) -> Result<Table, ContainerError> {
         .map_err(at(path))
 }
 
-/// The bytes of a file, a device or a FIFO, as far as any table reaches.
+/// The bytes of a file, a device or a FIFO, up to the size of the largest table.
 fn read_bytes(path: &Path) -> Result<Vec<u8>, Problem> {
     let mut bytes = Vec::new();
     File::open(path)?

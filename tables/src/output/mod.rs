@@ -52,7 +52,7 @@ impl Output {
         }
     }
 
-    /// The same for data that a terminal should not be sent.
+    /// As [`Output::new`], for binary data, which is not written to a terminal.
     ///
     /// # Errors
     /// As [`Output::new`], and [`OutputProblem::Terminal`].
@@ -69,7 +69,7 @@ impl Output {
         &self.path
     }
 
-    /// What a message calls it: its path, or "standard output".
+    /// Its name in messages: the path, or "standard output".
     pub fn name(&self) -> Cow<'_, str> {
         match self.destination {
             Destination::StandardOutput => "standard output".into(),
@@ -89,7 +89,7 @@ impl Output {
     pub fn write(&self, bytes: &[u8]) -> Result<(), OutputError> {
         let written = match &self.destination {
             Destination::StandardOutput => write_to_standard_output(bytes),
-            // To append is what a descriptor of a regular file needs, and the same to any other stream.
+            // A descriptor may lead to a regular file, where what it holds already must stay: append.
             Destination::Stream => OpenOptions::new()
                 .append(true)
                 .open(&self.path)
@@ -115,7 +115,7 @@ impl Output {
         Ok(())
     }
 
-    /// Checks that this output and `other` are two, where the flags `names` have named them.
+    /// Checks that this output and `other` have different destinations; `names` are the flags that set them.
     ///
     /// # Errors
     /// [`OutputProblem::NamedTwice`] if both would be written to one file or to standard output.
@@ -144,7 +144,7 @@ fn write_to_standard_output(bytes: &[u8]) -> io::Result<()> {
     }
 }
 
-/// Puts a file with these bytes in the place of `target`, or of nothing.
+/// Creates `target` with these bytes, or replaces it atomically.
 fn replace(target: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut file = temporary_file(resolve::folder_of(target))?;
     if let Ok(before) = fs::metadata(target) {
@@ -161,20 +161,20 @@ fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        // Less the umask.
+        // The umask is subtracted from this mode.
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
     builder.tempfile_in(folder)
 }
 
-/// Gives a new file the owner, if this user may, and the mode of the file `before` it.
+/// Copies the mode of the file `before` to its replacement, and the owner where this is permitted.
 fn keep_owner_and_mode(file: &File, before: &fs::Metadata) -> io::Result<()> {
     #[cfg(unix)]
     {
         use std::os::unix::fs::{MetadataExt, fchown};
         let now = file.metadata()?;
         if (now.uid(), now.gid()) != (before.uid(), before.gid()) {
-            // Only root may give a file away; the contents matter more than the owner.
+            // Only root may change the owner. Failing here must not prevent the file from being written.
             let _ = fchown(file, Some(before.uid()), Some(before.gid()));
         }
     }

@@ -24,7 +24,7 @@ pub(super) fn resolve(path: &Path) -> Result<Destination, OutputProblem> {
     let metadata = match fs::metadata(path) {
         Ok(metadata) => metadata,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return new_file(path),
-        // A file where a folder should be, for one.
+        // A parent of the path is a file.
         Err(error) if error.kind() == io::ErrorKind::NotADirectory => {
             return Err(OutputProblem::NoFolder(folder_of(path).to_owned()));
         }
@@ -39,7 +39,7 @@ pub(super) fn resolve(path: &Path) -> Result<Destination, OutputProblem> {
     if !metadata.is_file() || links(path).any(|step| is_descriptor(&step)) {
         return Ok(Destination::Stream);
     }
-    // The permission bits do not bind root, who may have set them with a purpose.
+    // Root could write to the file all the same, but it was made read-only on purpose.
     if metadata.permissions().readonly() {
         return Err(OutputProblem::ReadOnly);
     }
@@ -54,7 +54,7 @@ pub(super) fn resolve(path: &Path) -> Result<Destination, OutputProblem> {
     Ok(Destination::File(target))
 }
 
-/// The file that `path`, or the last of the symbolic links that it begins, is yet to become.
+/// The file that is to be created at `path`, or where its chain of symbolic links ends.
 fn new_file(path: &Path) -> Result<Destination, OutputProblem> {
     let last = links(path).last().unwrap_or_else(|| path.to_owned());
     if last.as_os_str().as_encoded_bytes().ends_with(b"/") {
@@ -80,7 +80,7 @@ pub(super) fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// Checks that a file can be made in `folder`, by making one that goes at once.
+/// Checks that a file can be created in `folder`, by creating a temporary one.
 pub(super) fn probe(folder: &Path) -> Result<(), OutputProblem> {
     match tempfile::tempfile_in(folder) {
         Ok(_) => Ok(()),
@@ -88,7 +88,7 @@ pub(super) fn probe(folder: &Path) -> Result<(), OutputProblem> {
     }
 }
 
-/// `path` and what its symbolic links lead to, one by one.
+/// `path` and the targets of its chain of symbolic links, in order.
 fn links(path: &Path) -> impl Iterator<Item = PathBuf> {
     let follow = |link: &PathBuf| {
         let target = fs::read_link(link).ok()?;
@@ -97,7 +97,7 @@ fn links(path: &Path) -> impl Iterator<Item = PathBuf> {
     std::iter::successors(Some(path.to_owned()), follow).take(MOST_LINKS)
 }
 
-/// Whether `path` stands for an open descriptor, whose file is not ours to replace.
+/// Whether `path` names an open descriptor, whose file must not be replaced.
 fn is_descriptor(path: &Path) -> bool {
     path.starts_with("/proc") || path.starts_with("/dev/fd")
 }

@@ -4,9 +4,9 @@ use super::GpuError;
 use std::env;
 use wgpu::{Backends, Instance};
 
-/// The variable that names them.
+/// The environment variable that names the backends.
 const VARIABLE: &str = "WGPU_BACKEND";
-/// The names that it takes; each has shorter ones, such as `vk`.
+/// The names that `WGPU_BACKEND` accepts; each has shorter aliases, such as `vk`.
 const NAMES: [(&str, Backends); 4] = [
     ("vulkan", Backends::VULKAN),
     ("metal", Backends::METAL),

@@ -129,7 +129,7 @@ impl Canvas {
     }
 
     /// Whether the newest of the pictures that have come back since the last call has all light of its stars;
-    /// none if none has come back. Waits for no one. To be called after the submission of what was encoded.
+    /// none if none has come back. Does not block. Call it after the encoded commands are submitted.
     pub fn star_light(&self) -> Option<StarLight> {
         self.stars.as_ref().and_then(StarLists::arrived)
     }

@@ -14,7 +14,7 @@ pub enum GpuError {
          brings one in software), or draw without one: viewer render --device cpu"
     )]
     NoAdapter,
-    /// `WGPU_BACKEND` asks for a backend that there is none of.
+    /// `WGPU_BACKEND` names a backend that is unknown or not available.
     #[error(
         "WGPU_BACKEND is '{asked}', which names a backend that is unknown or not available on this system: \
          set it to {known}, or leave it unset"
@@ -75,7 +75,7 @@ impl Gpu {
         pollster::block_on(Self::on_adapter(new_instance()?, None))
     }
 
-    /// Checks that `WGPU_BACKEND` names backends that there are, or is not set. Opens nothing.
+    /// Checks that `WGPU_BACKEND` is unset or names available backends. Opens no device.
     ///
     /// # Errors
     /// [`GpuError::Backend`] if it does not.
@@ -187,7 +187,7 @@ impl Gpu {
         self.device.features().contains(Features::TIMESTAMP_QUERY)
     }
 
-    /// Does what may be too much for the device: if it is, the device can be used on.
+    /// Runs `work`, which may exceed the device's memory or limits. The device stays usable if it does.
     ///
     /// # Errors
     /// [`GpuError::Failed`] with what the device says.

@@ -123,8 +123,8 @@ impl Live {
     }
 
     /// Whether the newest of the frames that have come back since the last call has all light of its stars;
-    /// none if none has come back. Waits for no one: to be asked after each frame is submitted, and
-    /// again while [`Live::awaits_star_light`].
+    /// none if none has come back. Does not block. Call it after each frame is submitted, and again
+    /// while [`Live::awaits_star_light`].
     pub fn star_light(&self) -> Option<StarLight> {
         self.canvas.star_light()
     }

@@ -70,7 +70,7 @@ fn overflow_list(owner: u32) -> u32 {
         var found = atomicLoad(&heads[OWNERS + list]);
         if found == 0u {
             let asked = atomicCompareExchangeWeak(&heads[OWNERS + list], 0u, owner);
-            // It may fail for no reason.
+            // The weak exchange may fail spuriously.
             found = select(asked.old_value, owner, asked.exchanged);
         }
         if found == owner {

@@ -13,7 +13,7 @@ use super::picture::Picture;
 
 /// No picture file is larger: the largest picture allowed with four floats a pixel has 2 GiB.
 const MAX_BYTES: u64 = 4 << 30;
-/// Enough of a file to tell its format.
+/// Number of bytes that suffice to recognise a format.
 const SIGNATURE: u64 = 16;
 
 /// A picture file in memory.
@@ -24,7 +24,7 @@ pub(super) struct PictureFile {
 }
 
 impl PictureFile {
-    /// Reads the file at `path`, unless its first bytes are those of no picture.
+    /// Reads the file at `path`. Refuses it after the first bytes if they begin no known picture format.
     pub(super) fn read(path: &Path) -> Result<Self, SkyError> {
         let unreadable = |cause| SkyError::Unreadable {
             path: path.to_owned(),
@@ -82,7 +82,7 @@ impl PictureFile {
         Picture::decode(self)
     }
 
-    /// Its format, which its content told.
+    /// Its format, recognised by content.
     pub(super) fn format(&self) -> ImageFormat {
         self.format
     }

@@ -1,4 +1,4 @@
-//! Memory for as many samples as a picture declares, or an error where the system has not so much.
+//! Allocates memory for the samples that a picture declares; returns an error if there is not enough.
 
 /// There is not enough memory.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -17,7 +17,7 @@ pub(super) fn zeros(count: usize) -> Result<Vec<f32>, NoMemory> {
     Ok(samples)
 }
 
-/// Checks that there is so much memory now, for a library that would end the program where there is not.
+/// Checks that this much memory can be allocated, for a library that aborts the program on failure.
 pub(super) fn check(bytes: u64) -> Result<(), NoMemory> {
     let bytes = usize::try_from(bytes).unwrap_or(usize::MAX);
     Vec::<u8>::new()

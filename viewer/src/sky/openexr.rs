@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::memory::zeros;
 
-/// A data window may be larger than the picture that it belongs to, but not endless: this many times.
+/// The largest allowed ratio of the data window's area to that of the display window.
 const MAX_OVERSCAN: u64 = 4;
 /// No chunk is larger, bytes: a tile of 8192 x 8192 pixels with four floats each.
 const MAX_CHUNK_BYTES: u64 = 1 << 30;

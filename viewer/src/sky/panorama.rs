@@ -19,7 +19,7 @@ const MAX_FACE_TEXELS: u32 = 4096;
 pub(super) fn load(file: PictureFile) -> Result<Sky, SkyError> {
     check_size(&file)?;
     let picture = file.decode()?;
-    // The sky needs as much memory again.
+    // The sky needs the same amount of memory in addition.
     drop(file);
     let (width, _) = picture.size();
     Ok(Sky::from_fn(face_texels(width), |dir| light(&picture, dir)))

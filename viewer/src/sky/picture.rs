@@ -7,7 +7,7 @@ use image::{DynamicImage, ImageDecoder, ImageFormat, Limits, Rgb32FImage, RgbIma
 use super::file::PictureFile;
 use super::{SkyError, memory, openexr};
 
-/// What a picture may hold beside its pixels, bytes: a colour profile, a description.
+/// Most bytes of metadata beside the pixels of a picture: a colour profile, a description.
 const MAX_BESIDE: u64 = 256 << 20;
 /// The most bytes that a pixel takes while it is decoded: three floats.
 const MAX_PIXEL_BYTES: u64 = 12;

@@ -28,7 +28,7 @@ const NAME: f32 = 200.0;
 pub struct Facts {
     /// Names of the skies, and which is shown.
     pub skies: (Vec<String>, usize),
-    /// From frame to frame, while something moves.
+    /// The mean time between frames while something moves.
     pub interval: Option<Duration>,
     /// The GPU's time of the picture.
     pub picture_time: Option<Duration>,

@@ -63,7 +63,7 @@ impl Pace {
         since.unwrap_or_default()
     }
 
-    /// Ends the frame that began at `began`, in `window`.
+    /// Schedules the frame after the one that began at `began`.
     pub fn end(&mut self, began: Instant, left: Left, window: &Window) {
         self.next = left.wait().map(|wait| began + wait.max(least_wait(window)));
     }
@@ -73,7 +73,7 @@ impl Pace {
         self.next
     }
 
-    /// From frame to frame, while something moves.
+    /// The mean time between frames while something moves.
     pub fn interval(&self) -> Option<Duration> {
         self.intervals.mean()
     }

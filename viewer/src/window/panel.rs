@@ -49,7 +49,7 @@ impl Panel {
         }
     }
 
-    /// Says something for a while. Returns whether it says anything else now.
+    /// Shows a message for a while. Returns whether the message differs from the one shown before.
     pub fn say(&mut self, text: impl Into<String>) -> bool {
         let message = Message::new(text.into());
         let said = self.message.replace(message.clone());

@@ -170,7 +170,7 @@ impl StarLists {
     }
 
     /// Whether the newest frame that has come back since the last call has all light; none if none has.
-    /// Waits for no one. To be called after the submission of what was encoded.
+    /// Does not block. Call it after the encoded commands are submitted.
     pub(in crate::gpu) fn arrived(&self) -> Option<StarLight> {
         self.reports.arrived()
     }

@@ -9,10 +9,10 @@ use wgpu::*;
 /// Frames whose numbers may be on their way at the same time.
 const IN_FLIGHT: usize = 4;
 
-/// Whether a picture has all the light of its stars.
+/// Whether the light of every star is in a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StarLight {
-    /// It has.
+    /// All of it is.
     Whole,
     /// There were more images than there is room for: some are missing.
     PartLost,
@@ -74,7 +74,7 @@ impl Reports {
     /// Encodes the way back of the first number of `heads`. `full`: more images than the GPU was told of.
     pub(super) fn encode(&self, encoder: &mut CommandEncoder, heads: &Buffer, full: bool) {
         let free = |slot: &&Arc<Slot>| *slot.state() == State::Free;
-        // One that nobody has asked for yet takes the newer frame.
+        // A buffer that has not been read back yet is reused for the newer frame.
         let unasked = |slot: &&Arc<Slot>| matches!(*slot.state(), State::Encoded(_));
         let slot = self.slots.iter().find(free);
         let Some(slot) = slot.or_else(|| self.slots.iter().find(unasked)) else {
