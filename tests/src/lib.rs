@@ -6,6 +6,7 @@ pub mod desktop;
 pub mod exr_files;
 pub mod probe;
 pub mod screen;
+pub mod stars;
 #[cfg(unix)]
 pub mod streams;
 

@@ -4,18 +4,13 @@ use glam::{DVec3, Vec3};
 use lensbake_tables::default_atlas;
 use lensbake_tests::gpu;
 use lensbake_tests::screen::on_screen;
+use lensbake_tests::stars::{black, on_cpu, on_gpu};
 use viewer::camera::{Camera, View};
-use viewer::cpu;
 use viewer::diff::PictureDifference;
-use viewer::gpu::{Gpu, Live, Renderer, Show, Stopwatch};
+use viewer::gpu::{Live, Renderer, Show, Stopwatch};
 use viewer::picture::Picture;
 use viewer::scene::{Method, Sampling, Scene};
-use viewer::sky::Sky;
-use viewer::stars::{self, Catalogue, DEFAULT_DISC_RADIUS, PointStar, Star, StarField};
-
-fn black() -> Sky {
-    Sky::from_fn(1, |_| Vec3::ZERO)
-}
+use viewer::stars::{Catalogue, DEFAULT_DISC_RADIUS, PointStar, Star, StarField};
 
 /// The angle of the stars from the hole, rad: their first image is near the middle of [`scene`]'s picture.
 const BETA: f64 = 0.3;
@@ -48,17 +43,6 @@ fn field(stars: Vec<PointStar>) -> StarField {
         stars,
         disc_radius: DEFAULT_DISC_RADIUS,
     }
-}
-
-fn on_cpu(scene: &Scene, field: &StarField) -> Picture {
-    let mut picture = cpu::render(scene, &black(), || ());
-    stars::draw(&mut picture, scene, field).unwrap();
-    picture
-}
-
-fn on_gpu(gpu: &Gpu, scene: &Scene, field: &StarField) -> Picture {
-    let renderer = Renderer::new(gpu, &black()).unwrap().with_stars(field);
-    renderer.picture(scene, |_| ()).unwrap()
 }
 
 /// The light of a star in all channels.

@@ -4,35 +4,20 @@ use glam::{DVec2, DVec3, Vec3};
 use lensbake_core::Observer;
 use lensbake_tables::default_atlas;
 use lensbake_tests::gpu;
+use lensbake_tests::stars::{black, on_cpu, on_gpu};
 use std::f64::consts::TAU;
 use viewer::camera::{Camera, View};
-use viewer::cpu;
 use viewer::diff::PictureDifference;
 use viewer::flicker::{ExactImage, exact_image};
-use viewer::gpu::{Gpu, Renderer};
+use viewer::gpu::Renderer;
 use viewer::picture::Picture;
 use viewer::scene::{Method, Scene};
 use viewer::sky::Sky;
 use viewer::stars::images::{FAINTEST, Way};
 use viewer::stars::{self, PointStar, StarField};
 
-fn black() -> Sky {
-    Sky::from_fn(1, |_| Vec3::ZERO)
-}
-
 fn scene(view: &View, method: Method) -> Scene {
     Scene::new(Camera::new(view).unwrap(), default_atlas(), method).unwrap()
-}
-
-fn on_cpu(scene: &Scene, field: &StarField) -> Picture {
-    let mut picture = cpu::render(scene, &black(), || ());
-    stars::draw(&mut picture, scene, field).unwrap();
-    picture
-}
-
-fn on_gpu(gpu: &Gpu, scene: &Scene, field: &StarField) -> Picture {
-    let renderer = Renderer::new(gpu, &black()).unwrap().with_stars(field);
-    renderer.picture(scene, |_| ()).unwrap()
 }
 
 /// One star of this light at `beta` from the direction of the hole, to the right of it.
