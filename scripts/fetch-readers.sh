@@ -1,12 +1,12 @@
 #!/bin/sh
-# Fetches the packages that tests/tests/readers.rs reads OpenEXR tables with, OpenEXR's own for Python and
-# three.js for Node, into the target folder. Does nothing where they are.
+# Fetches the packages with which tests/tests/readers.rs reads OpenEXR tables into the target folder: OpenEXR's own
+# for Python, and three.js for Node. Does nothing if they are there.
 set -eu
 cd "$(dirname "$0")/.."
 
 target=$(cargo metadata --no-deps --format-version 1 | sed 's/.*"target_directory":"\([^"]*\)".*/\1/')
 folder="$target/readers"
-# Written last, so that a fetch which was cut off is done again.
+# Written last, so that an interrupted fetch is repeated.
 stamp="$folder/fetched"
 wanted=$(cat tests/readers/requirements.txt tests/readers/package.json)
 

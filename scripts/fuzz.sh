@@ -1,7 +1,7 @@
 #!/bin/sh
-# Fuzzes everything that reads a stranger's bytes: fuzz.sh [SECONDS [TARGET…]] runs each target (all unless
-# named) for SECONDS (60 unless given), starting from its seeds. Ends with 1 if one finds something; what it
-# found is in fuzz/artifacts.
+# Fuzzes everything that reads untrusted input: fuzz.sh [SECONDS [TARGET…]] runs each target (default: all) for
+# SECONDS (default: 60), starting from its seeds. Ends with 1 if a target finds something; the findings are in
+# fuzz/artifacts.
 set -eu
 cd "$(dirname "$0")/../fuzz"
 
@@ -10,7 +10,7 @@ seconds=${1:-60}
 
 command -v cargo-fuzz >/dev/null || cargo install cargo-fuzz --locked
 
-# The sanitizer is for nightly compilers; the stable one has it too if it is told to.
+# The sanitizer needs a nightly compiler; with this the stable one accepts its flags too.
 export RUSTC_BOOTSTRAP=1
 cargo fuzz build
 
@@ -23,7 +23,7 @@ for target in $targets; do
     mkdir -p "corpus/$target" "artifacts/$target"
     dictionary=
     [ ! -f "$target.dict" ] || dictionary=-dict=$target.dict
-    # shellcheck disable=SC2086 # no dictionary, no word
+    # shellcheck disable=SC2086 # without a dictionary there must be no argument
     if ! cargo fuzz run "$target" "corpus/$target" "seeds/$target" -- -max_total_time="$seconds" \
         -rss_limit_mb=2048 -malloc_limit_mb=1024 -timeout=20 -max_len=16384 -print_final_stats=1 \
         $dictionary >"$log/$target" 2>&1; then

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Runs every test. On Debian and Ubuntu, installs first what is missing: software Vulkan where there is no
-# driver, a screen for the window's tests, and what reads OpenEXR files as others do.
+# Runs every test. On Debian and Ubuntu, first installs what is missing: software Vulkan if there is no driver, a
+# virtual screen for the window's tests, and other readers of OpenEXR files.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -28,7 +28,7 @@ has_python_module() {
 }
 
 without="cargo test --workspace --features"
-without="$without lensbake-tests/no-gpu,lensbake-tests/no-readers,viewer/no-gpu,viewer/no-window"
+without="$without lensbake-render/no-gpu,lensbake-tests/no-gpu,lensbake-tests/no-readers,viewer/no-gpu,viewer/no-window"
 
 missing=""
 if [ "$(uname)" = Linux ]; then
@@ -59,7 +59,7 @@ if [ -n "$missing" ]; then
     as_root=""
     [ "$(id -u)" = 0 ] || as_root=sudo
     $as_root apt-get update
-    # shellcheck disable=SC2086 # one word a package
+    # shellcheck disable=SC2086 # one word per package
     $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
 fi
 

@@ -4,10 +4,10 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use lensbake_core::Observer;
 use std::path::PathBuf;
 
-/// Bake the bending of light by a black hole into a table, and check it.
+/// Bake the bending of light (deflection angle) by a black hole into a table, and check it.
 ///
-/// Without a command, bakes a table: without any argument the atlas for all observers. Lengths are in
-/// units of the Schwarzschild radius. Exit code 0: done, 1: a budget was missed, 2: bad usage or input.
+/// Without a command, bakes a table; without any argument, the atlas for all observers. Lengths are in units of
+/// the Schwarzschild radius. Exit code 0: done, 1: a budget was missed, 2: bad usage or input.
 #[derive(Debug, Parser)]
 #[command(version, args_conflicts_with_subcommands = true)]
 pub struct Cli {
@@ -27,82 +27,87 @@ pub enum Command {
         /// The table (.lbt or .exr).
         file: PathBuf,
     },
-    /// Write a table in the container that the second file's ending asks for: .lbt or .exr.
+    /// Copy a table into the container that the second file's extension names: .lbt or .exr.
     Convert {
         /// The table to read.
         from: PathBuf,
-        /// The table to write; - for a .lbt on standard output.
+        /// The table to write; - writes a .lbt to standard output.
         to: PathBuf,
     },
-    /// Read lines `R THETA_DEG` or `inf B` from standard input; print the bending in radians, or
-    /// `captured`, for each as it comes.
+    /// Read lines `R THETA_DEG` or `inf B` from standard input; for each, print the bending in radians or
+    /// `captured`.
+    ///
+    /// R is the observer's radius, THETA_DEG the view angle from the direction of the hole in degrees, and B the
+    /// impact parameter of a ray from infinity. Lengths are in units of the Schwarzschild radius. Each answer is
+    /// printed without waiting for the next line.
     Query(QueryArgs),
-    /// Compare a table with the direct integrator and with the closed form, off its nodes.
+    /// Compare a table, between its nodes, with the direct integrator and with the closed form.
     Diff(DiffArgs),
     /// Chart speed against accuracy: every method on the same rays, in one run.
     ///
-    /// Writes chart.csv, and chart-px and chart-rad as SVG and PNG. Exit code 1 if a method beats the
-    /// default row: more accurate and faster, beyond the run's noise, at no more bytes a frame.
+    /// Writes chart.csv, and chart-px and chart-rad as SVG and PNG. Exit code 1 if a method beats the default row:
+    /// its largest error is smaller, it is faster by more than the noise of the run, and it needs no more bytes
+    /// per frame.
     Chart(ChartArgs),
     /// Try every method in every regime: at the shadow's edge, at the horizon, with no ray at all.
     ///
-    /// Writes atlas.csv, and the atlas as SVG and PNG. Exit code 1 if this project's own methods are
-    /// neither right nor refuse in words what is no ray.
+    /// Writes atlas.csv, and the atlas as SVG and PNG. Exit code 1 if one of this project's own methods is wrong,
+    /// or answers an input that is not a ray instead of refusing it.
     Stability(StabilityArgs),
 }
 
 /// What to bake.
 #[derive(Debug, Args)]
 pub struct BakeArgs {
-    /// File to write, .lbt (binary) or .exr (OpenEXR), or - for a .lbt on standard output; may be given
-    /// more than once.
+    /// File to write: .lbt (binary), .exr (OpenEXR), or - for a .lbt on standard output. Can be given more than
+    /// once.
     #[arg(short, long, value_name = "FILE", default_value = "atlas.lbt")]
     pub output: Vec<PathBuf>,
-    /// Bake one row for this static observer instead of the atlas: a radius above 1, or `far`.
+    /// Bake one row, for the static observer at this radius (above 1, or `far`), instead of the atlas.
     #[arg(long, value_name = "far|R", value_parser = observer)]
     pub observer: Option<Observer>,
-    /// Texels of a row [default: 64 for the residual axis, 1024 for the others].
+    /// Texels per row [default: 64 for the residual axis, 1024 for the others].
     #[arg(long, value_name = "N")]
     pub texels: Option<u32>,
     /// Rows of the atlas [default: 128].
     #[arg(long, value_name = "N", conflicts_with = "observer")]
     pub rows: Option<u32>,
-    /// Error asked of the integrator, in rad a radian of orbital angle, from 1e-13 to 1e-2.
+    /// Error tolerance of the integrator, in rad per radian of orbital angle, from 1e-13 to 1e-2.
     #[arg(long, value_name = "RAD", default_value_t = 1e-9, value_parser = tolerance)]
     pub tolerance: f64,
-    /// Axis along the row. All but `residual` are naive, and hold the far observer's row only.
+    /// Axis along the row. Every axis but `residual` is naive and holds only the row of the observer at infinity.
     #[arg(long, value_enum, default_value_t = AxisName::Residual)]
     pub axis: AxisName,
-    /// Least impact parameter of a naive axis.
+    /// Smallest impact parameter of a naive axis.
     #[arg(long, value_name = "B", default_value_t = 2.598_1, requires = "axis")]
     pub b_min: f64,
-    /// Greatest impact parameter of a naive axis.
+    /// Largest impact parameter of a naive axis.
     #[arg(long, value_name = "B", default_value_t = 100.0, requires = "axis")]
     pub b_max: f64,
-    /// Exit with code 1, writing nothing, if the measured error is larger than this, in rad.
+    /// Largest measured error allowed, in rad; above it nothing is written and the exit code is 1.
     #[arg(long, value_name = "RAD", value_parser = positive)]
     pub budget: Option<f64>,
-    /// Threads to bake with [default: one a core]. The bytes written are the same for any number.
+    /// Number of threads [default: one per core]. It does not change the bytes written.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
 }
 
-/// The axes by name.
+/// The axes of a table, by name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum AxisName {
-    /// The residual against q = √(1−√x): this project's own.
+    /// The residual against q = √(1−√x), x being the normalised shadow coordinate: this project's own axis.
     Residual,
-    /// Uniform in b.
+    /// Uniform in the impact parameter b.
     B,
     /// Uniform in 1/b.
     InverseB,
-    /// Uniform in ln(b/b_c − 1).
+    /// Uniform in ln(b/b_c − 1), b_c being the critical impact parameter.
     LogB,
 }
 
-/// How to find a bending.
+/// How to compute a bending.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Method {
+pub enum MethodName {
     /// Look it up in the table.
     Lut,
     /// Integrate by RK4.
@@ -114,13 +119,13 @@ pub enum Method {
 /// Options of `bake query`.
 #[derive(Debug, Args)]
 pub struct QueryArgs {
-    /// Table to look up [default: the built-in atlas].
+    /// Table for `lut` [default: the built-in atlas].
     #[arg(long, value_name = "FILE")]
     pub table: Option<PathBuf>,
-    /// How the bending is found.
-    #[arg(long, value_enum, default_value_t = Method::Lut)]
-    pub method: Method,
-    /// Error asked of RK4, in rad a radian of orbital angle, from 1e-13 to 1e-2.
+    /// How to compute the bending.
+    #[arg(long, value_enum, default_value_t = MethodName::Lut)]
+    pub method: MethodName,
+    /// Error tolerance of RK4, in rad per radian of orbital angle, from 1e-13 to 1e-2.
     #[arg(long, value_name = "RAD", default_value_t = 1e-12, value_parser = tolerance)]
     pub tolerance: f64,
 }
@@ -130,33 +135,34 @@ pub struct QueryArgs {
 pub struct DiffArgs {
     /// The table [default: the built-in atlas].
     pub file: Option<PathBuf>,
-    /// Number of random rays, off the nodes and half of them crowding the edge.
+    /// Number of random rays off the nodes; half of them crowd the shadow's edge.
     #[arg(long, value_name = "N", default_value_t = 100_000,
           value_parser = clap::value_parser!(u32).range(1..=100_000_000))]
     pub rays: u32,
     /// Seed of the random rays.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
-    /// Error asked of the direct integrator, in rad a radian of orbital angle.
+    /// Error tolerance of the direct integrator, in rad per radian of orbital angle.
     #[arg(long, value_name = "RAD", default_value_t = 1e-11, value_parser = tolerance)]
     pub tolerance: f64,
     /// Largest error allowed against the closed form, in rad; above it the exit code is 1.
     #[arg(long, value_name = "RAD", default_value_t = 2e-6, value_parser = positive)]
     pub budget: f64,
-    /// Largest error allowed in image space, in pixels; above it the exit code is 1.
+    /// Largest image-space error allowed, in pixels; above it the exit code is 1.
     #[arg(long, value_name = "PX", default_value_t = 0.002, value_parser = positive)]
     pub budget_px: f64,
-    /// Width of the picture in whose pixels errors are stated.
+    /// Width of the picture whose pixels are the unit of image-space errors.
     #[arg(long, value_name = "PX", default_value_t = 1920,
           value_parser = clap::value_parser!(u32).range(1..=65_536))]
     pub width: u32,
-    /// Its field of view across, in degrees, between 0 and 180.
+    /// Horizontal field of view of that picture, in degrees, between 0 and 180.
     #[arg(long, value_name = "DEG", default_value_t = 90.0, value_parser = field_of_view)]
     pub fov: f64,
-    /// Write every ray to this CSV file; - is standard output, and the report goes to standard error.
+    /// Write one line per ray to this CSV file. With - it goes to standard output, and the report to standard
+    /// error.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
-    /// Draw the error along the row to this SVG file, or - as for --csv.
+    /// Draw the error along the row to this SVG file; - as for --csv.
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
 }
@@ -167,7 +173,7 @@ pub struct ChartArgs {
     /// Directory to write to.
     #[arg(short, long, value_name = "DIR", default_value = "chart")]
     pub output: PathBuf,
-    /// Few rays and short timings: seconds, to see that it works.
+    /// Use few rays and short timings: takes seconds, only checks that the command works.
     #[arg(long)]
     pub quick: bool,
     /// Seed of the random rays.
@@ -185,7 +191,7 @@ pub struct StabilityArgs {
 
 fn observer(text: &str) -> Result<Observer, String> {
     if text == "far" {
-        return Ok(Observer::far());
+        return Ok(Observer::at_infinity());
     }
     let r: f64 = text
         .parse()

@@ -1,11 +1,3 @@
-//! Baking bending tables and checking them: what the `bake` program is made of.
+//! The questions that `bake query` answers.
 
-pub mod baker;
-pub mod chart;
-pub mod diff;
-pub mod measure;
-pub mod methods;
-pub mod plot;
 pub mod query;
-pub mod rays;
-pub mod stability;

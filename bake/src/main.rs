@@ -4,7 +4,7 @@ mod cli;
 mod commands;
 
 use cli::{Cli, Command};
-use lensbake_report::{Outcome, arguments};
+use lensbake_program::{Outcome, arguments};
 use std::process::ExitCode;
 
 const PROGRAM: &str = "bake";

@@ -1,51 +1,51 @@
 //! Questions about single rays, as lines of text, and their answers.
 
-use crate::rays::Sight;
 use lensbake_core::rk4::Stepper;
-use lensbake_core::{CoreError, EdgeCoordinate, Fate, Observer, Ray, direct, exact};
+use lensbake_core::{CoreError, Observer, Ray, RayOutcome, ShadowCoordinate, direct, exact};
+use lensbake_tables::baking::ObservedRay;
 use lensbake_tables::text::excerpt;
 use lensbake_tables::{Row, Table, TableError};
 use thiserror::Error;
 
-/// The longest line that is a question, bytes.
+/// Longest line that can be a question, bytes.
 pub const MAX_LINE: usize = 4096;
 
-/// Which ray is asked about: where an observer looks.
+/// A question about one ray: the observer and where he looks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Question {
-    /// The observer and the edge coordinate of his view direction.
-    pub sight: Sight,
-    /// The ray, followed backwards from him.
+    /// The observer and the normalised shadow coordinate of his view direction.
+    pub observed: ObservedRay,
+    /// The ray, followed backwards from the observer.
     pub ray: Ray,
 }
 
-/// A line that is no question.
+/// Why a line is not a question.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum QuestionError {
-    /// It is not text.
+    /// The line is not UTF-8.
     #[error("it is not UTF-8 text")]
     NotText,
-    /// It is too long.
+    /// The line is longer than [`MAX_LINE`].
     #[error("it is longer than {MAX_LINE} bytes")]
     TooLong,
-    /// It does not have two words.
+    /// The line does not have two words.
     #[error("'{0}' is not `R THETA_DEG` or `inf B`")]
     Form(String),
-    /// A word is no number.
+    /// A word is not a number.
     #[error("'{0}' is not a number")]
     Number(String),
-    /// The view angle.
+    /// The view angle is out of range.
     #[error("view angle {0} is outside 0 to 180 degrees")]
     ViewAngle(f64),
-    /// There is no such ray.
+    /// The ray does not exist.
     #[error(transparent)]
     Ray(#[from] CoreError),
 }
 
 impl Question {
-    /// The question of a line `R THETA_DEG` (the radius in units of r_s, the view angle from the direction
-    /// of the hole in degrees) or `inf B` (an impact parameter in units of r_s); `None` for a blank line
-    /// and a comment, which begins with `#`.
+    /// Parses a line `R THETA_DEG` (the radius in units of r_s, the view angle from the direction of the hole in
+    /// degrees) or `inf B` (the impact parameter in units of r_s). `None` for a blank line and for a comment,
+    /// which begins with `#`.
     ///
     /// # Errors
     /// [`QuestionError`] says in one short line what is wrong.
@@ -65,31 +65,31 @@ impl Question {
         Question::new(number(first)?, number(second)?).map(Some)
     }
 
-    /// The question about the observer at radius `r` and the view angle `second` in degrees; at infinity
-    /// `second` is the impact parameter.
+    /// The question for the observer at radius `r` and the view angle `second` in degrees; for the observer at
+    /// infinity `second` is the impact parameter.
     fn new(r: f64, second: f64) -> Result<Self, QuestionError> {
         let observer = Observer::at(r)?;
-        let (at, ray) = if observer.is_far() {
+        let (at, ray) = if observer.is_at_infinity() {
             let ray = Ray::from_infinity(second)?;
-            (EdgeCoordinate::from_b(second), ray)
+            (ShadowCoordinate::from_b(second), ray)
         } else {
             if !(0.0..=180.0).contains(&second) {
                 return Err(QuestionError::ViewAngle(second));
             }
             let theta = second.to_radians();
-            (observer.edge_coordinate(theta), observer.ray(theta)?)
+            (observer.shadow_coordinate(theta), observer.ray(theta)?)
         };
-        let sight = Sight { observer, at };
-        Ok(Question { sight, ray })
+        let observed = ObservedRay { observer, at };
+        Ok(Question { observed, ray })
     }
 }
 
-/// How a bending is found.
+/// How a bending is computed.
 #[derive(Debug, Clone, Copy)]
-pub enum Method<'a> {
+pub enum QueryMethod<'a> {
     /// Looked up in a table.
     Lookup(&'a Table),
-    /// Integrated by RK4 with this tolerance, rad a radian of orbital angle.
+    /// Integrated by RK4 with this tolerance, rad per radian of orbital angle.
     Rk4(f64),
     /// Evaluated in closed form.
     Exact,
@@ -98,36 +98,38 @@ pub enum Method<'a> {
 /// Answers questions by one method.
 #[derive(Debug)]
 pub struct Answers<'a> {
-    method: Method<'a>,
-    /// The row last mixed from the table: questions often come from one observer.
+    method: QueryMethod<'a>,
+    /// The row last mixed from the table; successive questions often have the same observer.
     row: Option<Row>,
 }
 
 impl<'a> Answers<'a> {
     /// Answers by `method`.
-    pub fn new(method: Method<'a>) -> Self {
+    pub fn new(method: QueryMethod<'a>) -> Self {
         Answers { method, row: None }
     }
 
-    /// The bending of the ray, rad.
+    /// The outcome of the ray, with its bending in rad.
     ///
     /// # Errors
     /// [`TableError`] if the table holds another observer's row, or its axis does not reach the ray.
-    pub fn answer(&mut self, question: &Question) -> Result<Fate, TableError> {
+    pub fn answer(&mut self, question: &Question) -> Result<RayOutcome, TableError> {
         match self.method {
-            Method::Lookup(table) => self.look_up(table, question.sight),
-            Method::Rk4(tolerance) => Ok(direct::bend(&question.ray, Stepper::Adaptive(tolerance))),
-            Method::Exact => Ok(exact::bend(&question.ray)),
+            QueryMethod::Lookup(table) => self.look_up(table, question.observed),
+            QueryMethod::Rk4(tolerance) => {
+                Ok(direct::bend(&question.ray, Stepper::Adaptive(tolerance)))
+            }
+            QueryMethod::Exact => Ok(exact::bend(&question.ray)),
         }
     }
 
-    fn look_up(&mut self, table: &Table, sight: Sight) -> Result<Fate, TableError> {
-        table.header().axis.check_reach(sight.at)?;
+    fn look_up(&mut self, table: &Table, ray: ObservedRay) -> Result<RayOutcome, TableError> {
+        table.header().axis.check_reach(ray.at)?;
         let row = match self.row.take() {
-            Some(row) if *row.observer() == sight.observer => row,
-            _ => table.row(sight.observer)?,
+            Some(row) if *row.observer() == ray.observer => row,
+            _ => table.row(ray.observer)?,
         };
-        let bend = row.bend(sight.at);
+        let bend = row.bend(ray.at);
         self.row = Some(row);
         Ok(bend)
     }
@@ -207,9 +209,9 @@ mod tests {
                 continue;
             };
             for method in [
-                Method::Lookup(default_atlas()),
-                Method::Rk4(1e-9),
-                Method::Exact,
+                QueryMethod::Lookup(default_atlas()),
+                QueryMethod::Rk4(1e-9),
+                QueryMethod::Exact,
             ] {
                 let bend = Answers::new(method).answer(&question).unwrap();
                 let said = bend.escaped().unwrap_or(0.0);

@@ -1,12 +1,12 @@
 #![cfg(unix)]
-//! Damaged EXR tables: the program ends with one line and exit code 2, whatever the file asks for.
+//! Damaged EXR tables are refused with one line and exit code 2, in little memory, whatever sizes the file states.
 
 use lensbake_tables::{ATLAS_EXR, container};
-use lensbake_tests::Program;
-use lensbake_tests::exr_files::{attribute, first_chunk, table_of_chunks, with};
+use lensbake_test_support::Program;
+use lensbake_test_support::exr_files::{attribute, first_chunk, table_of_chunks, with};
 
 const BAKE: Program = Program::at(env!("CARGO_BIN_EXE_bake"));
-/// What the numbers of the attribute `compression` stand for.
+/// Values of the attribute `compression`.
 const NONE: u8 = 0;
 const RLE: u8 = 1;
 const ZIP: [u8; 2] = [2, 3];
@@ -24,7 +24,7 @@ fn refused(bytes: &[u8], words: &[&str]) {
     run.refuses(&[words, &[file]].concat());
 }
 
-/// Where the size of the first chunk stands: behind its line, or behind the four numbers of its tile.
+/// Offset of the size of the first chunk: after its line number, or after the four numbers of its tile.
 fn first_chunk_size(file: &[u8]) -> usize {
     let tiled = file[5] & 2 != 0;
     first_chunk(file) + if tiled { 16 } else { 4 }
@@ -38,7 +38,7 @@ fn with_compression(compression: u8) -> Vec<u8> {
 #[test]
 fn a_table_in_another_compression_is_refused() {
     for compression in NONE..=AFTER_THE_LAST {
-        // The two kinds of ZIP differ in how many lines a chunk has, and tiles have their own.
+        // The two ZIP values differ only in the number of lines per chunk, and a tile has a height of its own.
         if !ZIP.contains(&compression) {
             refused(&with_compression(compression), &[]);
         }
@@ -51,7 +51,7 @@ fn a_table_as_dwa_allocates_nothing() {
     let file = with_compression(DWAA);
     let data = first_chunk_size(&file) + 4;
     let packed = &ATLAS_EXR[data..data + 1000];
-    // Eleven counters, of which the second is a size; then no rules, then what is to be unpacked.
+    // Eleven counters, the second of which is a size; then an empty list of rules; then the packed data.
     let counters = [2, 1 << 50, 1000, 0, 0, 0, 0, 0, 0, 0, 0_u64];
     let counters = counters.map(u64::to_le_bytes).concat();
     let chunk = [&counters[..], &2_u16.to_le_bytes(), packed].concat();
@@ -72,7 +72,7 @@ fn chunks_that_cannot_be_allocate_nothing() {
         let damaged = with(ATLAS_EXR.to_vec(), table, &place.to_le_bytes());
         refused(&damaged, &["chunk 0"]);
     }
-    // All chunks are the same one.
+    // The first chunk has the offset of the second.
     let count = attribute(ATLAS_EXR, "chunkCount");
     if ATLAS_EXR[count..count + 4] != 1_u32.to_le_bytes() {
         let second = ATLAS_EXR[table + 8..table + 16].to_vec();
@@ -81,8 +81,7 @@ fn chunks_that_cannot_be_allocate_nothing() {
     }
 }
 
-/// Rewriting a table without loss, as tools for pictures do, keeps it a table: here its chunks as they are,
-/// unpacked.
+/// A table that an image tool has rewritten without loss is still a table: here with its chunks uncompressed.
 #[test]
 fn a_table_that_was_rewritten_without_loss_is_read() {
     let table = container::from_bytes(ATLAS_EXR).unwrap();
@@ -92,13 +91,13 @@ fn a_table_that_was_rewritten_without_loss_is_read() {
     }
 }
 
-/// The atlas as one line a chunk, unpacked: any compression of one line a chunk may store it so.
+/// The atlas with one line per chunk, uncompressed, which every compression with one line per chunk allows.
 fn unpacked(compression: u8) -> Vec<u8> {
     let table = container::from_bytes(ATLAS_EXR).unwrap();
     let (width, rows) = (table.header().texels, table.header().row_count());
     let end = table_of_chunks(ATLAS_EXR);
     let mut file = with_compression(compression)[..end].to_vec();
-    // Scan lines: neither the flag nor the attribute of tiles.
+    // Scan lines have neither the flag nor the attribute of tiles.
     file[5] &= !2;
     if let Some(at) = file
         .windows(15)
@@ -120,7 +119,7 @@ fn unpacked(compression: u8) -> Vec<u8> {
     for (row, texels) in table.texels().chunks_exact(width as usize).enumerate() {
         file.extend((row as i32).to_le_bytes());
         file.extend((length as i32).to_le_bytes());
-        // The channels by their names: B, which is zero, then G and R.
+        // The channels in the order of their names: B, which is zero, then G and R.
         file.extend(vec![0; length / 3]);
         for channel in [1, 0] {
             file.extend(texels.iter().flat_map(|texel| texel[channel].to_le_bytes()));

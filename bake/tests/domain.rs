@@ -1,6 +1,6 @@
-//! Questions at and beyond the ends of what can be computed, and budgets over nothing.
+//! Questions at and beyond the limits of the domain, and budgets without rays.
 
-use lensbake_tests::Program;
+use lensbake_test_support::Program;
 use tempfile::TempDir;
 
 const BAKE: Program = Program::at(env!("CARGO_BIN_EXE_bake"));
@@ -10,7 +10,7 @@ fn path(folder: &TempDir, name: &str) -> String {
     folder.path().join(name).to_str().unwrap().to_owned()
 }
 
-fn ask(method: &str, line: &str) -> lensbake_tests::Run {
+fn ask(method: &str, line: &str) -> lensbake_test_support::Run {
     BAKE.run_with(&["query", "--method", method], line)
 }
 
@@ -32,7 +32,6 @@ fn distances_too_large_to_compute_with_are_refused() {
     }
 }
 
-/// Up to the largest distances the three methods agree.
 #[test]
 fn the_three_methods_agree_to_the_end_of_the_domain() {
     let mut lines = String::new();
@@ -72,7 +71,7 @@ fn a_table_is_not_asked_beyond_its_axis() {
         for line in ["inf 1000", "inf 100.001", "inf 2.599"] {
             ask(line).refuses(&[&file, "2.6", "100"]);
         }
-        // Its ends, and the shadow, are within.
+        // The ends of the axis and the shadow are within its reach.
         let run = ask("inf 2.6\ninf 100\ninf 2.5\ninf 1e-9\n").succeeds();
         let lines: Vec<_> = run.stdout.lines().collect();
         assert_eq!(lines[2..], ["captured", "captured"]);
@@ -98,7 +97,7 @@ fn a_budget_over_no_rays_is_missed() {
     assert_eq!(run.code, 1, "{run:?}");
     assert!(run.stderr.contains("no ray"), "{run:?}");
     assert!(!std::path::Path::new(&file).exists());
-    // Without a budget it bakes, and says that its error is not known.
+    // Without a budget the table is written, with the message that its error is not known.
     let run = bake(&[]).succeeds();
     assert!(run.stderr.contains("no ray"), "{run:?}");
     let run = BAKE.run(&["inspect", &file]).succeeds();

@@ -17,7 +17,7 @@ fn bake(args: &[&str], directory: &Path) -> Output {
 fn a_quick_chart_is_written_whole() {
     let directory = tempfile::tempdir().unwrap();
     let output = bake(&["chart", "--quick"], directory.path());
-    // 0 or 1: whether the claim holds is decided by times, which no test depends on.
+    // 0 or 1: whether the claim holds depends on times, and no test may depend on times.
     assert!(matches!(output.status.code(), Some(0 | 1)), "{output:?}");
     let csv = fs::read_to_string(directory.path().join("chart.csv")).unwrap();
     let columns = csv.lines().next().unwrap().split(',').count();

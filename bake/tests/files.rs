@@ -1,8 +1,10 @@
-//! What the program does with files, devices, pipes and streams that it is given.
+//! How the program treats files, devices, pipes and streams.
 #![cfg(unix)]
 
-use lensbake_tests::streams::{Spawned, fifo_reader, full_device, is_fifo, link, mode, set_mode};
-use lensbake_tests::{ATLAS, Program};
+use lensbake_test_support::streams::{
+    Spawned, fifo_reader, full_device, is_fifo, link, mode, set_mode,
+};
+use lensbake_test_support::{ATLAS, Program};
 use std::fs;
 use std::io::Write;
 use std::os::unix::fs::FileTypeExt;
@@ -11,7 +13,7 @@ use std::process::{Command, Stdio};
 use tempfile::TempDir;
 
 const BAKE: Program = Program::at(env!("CARGO_BIN_EXE_bake"));
-/// Lines of the CSV file of a hundred rays.
+/// Number of lines of the CSV file of a hundred rays.
 const LINES: usize = 101;
 
 /// A temporary folder and paths in it.
@@ -26,14 +28,14 @@ impl Folder {
         self.0.path().join(name)
     }
 
-    /// The atlas in a file of that name.
+    /// Writes the atlas to a file of this name.
     fn atlas(&self, name: &str) -> PathBuf {
         let path = self.path(name);
         fs::write(&path, ATLAS).unwrap();
         path
     }
 
-    /// Names of what is in it.
+    /// The sorted names of its files.
     fn names(&self) -> Vec<String> {
         let entries = fs::read_dir(self.0.path()).unwrap();
         let mut names: Vec<_> = entries
@@ -49,7 +51,7 @@ fn text(path: &Path) -> &str {
 }
 
 /// `bake diff` of a hundred rays with its CSV file at `path`.
-fn diff_to(path: &Path) -> lensbake_tests::Run {
+fn diff_to(path: &Path) -> lensbake_test_support::Run {
     BAKE.run(&["diff", "--rays", "100", "--csv", text(path)])
 }
 
@@ -71,7 +73,7 @@ fn a_device_is_written_to_and_stays_a_device() {
         let kind = fs::symlink_metadata(&device).unwrap().file_type();
         assert!(kind.is_char_device(), "{kind:?}");
     }
-    // Without the right to make a device: through a link.
+    // Without the permission to make a device: through a link.
     let linked = folder.path("linked.csv");
     link("/dev/null", &linked);
     diff_to(&linked).succeeds();
@@ -99,7 +101,7 @@ fn a_symbolic_link_is_written_through() {
     assert_eq!(fs::read_link(&linked).unwrap(), Path::new("real.csv"));
     assert_eq!(lines_of(&real), LINES);
 
-    // One that leads nowhere yet.
+    // A link whose target does not exist yet.
     fs::create_dir(folder.path("sub")).unwrap();
     let dangling = folder.path("dangling.csv");
     link("sub/new.csv", &dangling);
@@ -107,7 +109,7 @@ fn a_symbolic_link_is_written_through() {
     assert_eq!(lines_of(&folder.path("sub/new.csv")), LINES);
     assert!(dangling.is_symlink());
 
-    // Two that lead to each other.
+    // Two links that point to each other.
     link("b.csv", &folder.path("a.csv"));
     link("a.csv", &folder.path("b.csv"));
     diff_to(&folder.path("a.csv")).refuses(&["a.csv"]);
@@ -158,7 +160,7 @@ fn a_dash_is_standard_output() {
     BAKE.run(&["convert", text(&file), text(&exr)]).succeeds();
     assert_eq!(BAKE.run_bytes(&["convert", text(&exr), "-"]).stdout, table);
 
-    // The report makes room for the data.
+    // With the data on standard output, the report goes to standard error.
     let run = BAKE
         .run(&["diff", "--rays", "100", "--csv", "-"])
         .succeeds();
@@ -221,7 +223,7 @@ fn an_output_over_an_input_is_refused() {
     }
     assert_eq!(fs::read(&table).unwrap(), ATLAS);
 
-    // Nor does one output go over another.
+    // One output must not overwrite another either.
     let same = folder.path("same");
     BAKE.run(&["diff", "--csv", text(&same), "--plot", text(&same)])
         .refuses(&[text(&same), "named twice"]);
@@ -231,7 +233,7 @@ fn an_output_over_an_input_is_refused() {
 fn outputs_are_checked_before_the_work() {
     let mut command = BAKE.command();
     command.args(["diff", "--rays", "50000000", "--csv", "/nonexistent/x.csv"]);
-    // So many rays take a quarter of an hour.
+    // This many rays take a quarter of an hour.
     let run = Spawned::start(command, "").run_within_a_minute();
     run.refuses(&["/nonexistent/x.csv", "does not exist"]);
 }
@@ -248,7 +250,7 @@ fn a_side_output_that_fails_does_not_swallow_the_report() {
     assert!(run.stderr.contains(text(&csv)), "{run:?}");
     assert_eq!(run.stderr.lines().count(), 1, "{run:?}");
     assert!(plot.exists(), "the other output is written all the same");
-    // Nor does a report that fails swallow an output.
+    // A report that fails does not swallow an output either.
     let (csv, mut command) = (folder.path("d.csv"), BAKE.command());
     command.args(["diff", "--rays", "100", "--csv", text(&csv)]);
     let status = command.stdout(full_device()).status().unwrap();
@@ -320,7 +322,7 @@ fn an_endless_file_does_not_fill_the_memory() {
         "query --table /dev/zero",
         "convert /dev/zero a.lbt",
     ] {
-        // A limit on memory, in KiB, so that a failure harms nobody.
+        // A limit on memory, in KiB, so that a failure does not exhaust the machine's.
         let script = format!("ulimit -v 4000000; exec \"$0\" {args}");
         let mut command = Command::new("sh");
         command.args(["-c", &script, BAKE.path()]);
@@ -349,7 +351,6 @@ fn a_table_is_read_from_a_pipe() {
     );
 }
 
-/// Killed at any moment, the program leaves the old file or the new one.
 #[test]
 fn an_interruption_leaves_the_old_file_or_the_new_one() {
     let folder = Folder::new();
@@ -362,9 +363,10 @@ fn an_interruption_leaves_the_old_file_or_the_new_one() {
     };
     assert!(bake("16").status().unwrap().success());
     let old = fs::read(&file).unwrap();
-    let twin = folder.path("twin.lbt");
-    BAKE.run(&["--texels", "512", "-o", text(&twin)]).succeeds();
-    let new = fs::read(&twin).unwrap();
+    let uninterrupted = folder.path("uninterrupted.lbt");
+    BAKE.run(&["--texels", "512", "-o", text(&uninterrupted)])
+        .succeeds();
+    let new = fs::read(&uninterrupted).unwrap();
     for delay in 0..40 {
         fs::write(&file, &old).unwrap();
         let mut child = bake("512").spawn().unwrap();

@@ -1,8 +1,8 @@
-//! The real program: what it prints, what it writes, and how it ends.
+//! The compiled program: what it prints, what it writes, and its exit codes.
 
 use lensbake_core::Observer;
 use lensbake_tables::{ATLAS_BINARY, ATLAS_EXR, container};
-use lensbake_tests::{Damaged, Program, damaged_tables, one_row};
+use lensbake_test_support::{Damaged, Program, damaged_tables, one_row};
 use tempfile::TempDir;
 
 const BAKE: Program = Program::at(env!("CARGO_BIN_EXE_bake"));
@@ -15,7 +15,7 @@ fn path(folder: &TempDir, name: &str) -> String {
     folder.path().join(name).to_str().unwrap().to_owned()
 }
 
-/// Lines `R THETA_DEG` or `inf B`, with 1 − x from `gap` to 1 by decades at radii from 1.01 to ∞.
+/// Lines `R THETA_DEG` or `inf B`, with 1 − x log-uniform from `gap` to 1, at radii from 1.01 to ∞.
 fn questions(gap: f64) -> Vec<String> {
     let mut rng = fastrand::Rng::with_seed(11);
     let radii = [
@@ -75,7 +75,7 @@ fn query_by_rk4_and_by_the_closed_form_agree() {
 #[test]
 fn query_knows_the_oracle_values() {
     let lines = [
-        // Of the f64 nearest to 2.5981.
+        // The bending at the f64 nearest to 2.5981.
         ("inf 2.5981", 11.200_883_845_254_955),
         ("inf 3", 1.719_388_310_230_169),
         ("inf 1000", 0.002_002_950_587_024_579),
@@ -148,7 +148,7 @@ fn bake_writes_the_same_bytes_for_any_number_of_threads_and_both_containers() {
     let one = bake("1", "one.lbt");
     assert_eq!(one, bake("3", "three.lbt"));
     assert_eq!(bake("2", "two.exr"), bake("1", "one.exr"));
-    // There and back again through the other container.
+    // Convert to the other container and back.
     let (exr, back) = (path(&folder, "a.exr"), path(&folder, "b.lbt"));
     BAKE.run(&["convert", &path(&folder, "one.lbt"), &exr])
         .succeeds();
@@ -164,12 +164,12 @@ fn convert_keeps_a_solver_name_of_any_letters() {
         let table = one_row(10.0);
         let mut header = table.header().clone();
         header.solver.name = name.to_owned();
-        container::write(from.as_ref(), &table.with_header(header).unwrap()).unwrap();
+        lensbake_test_support::write_table(&from, &table.with_header(header).unwrap());
         BAKE.run(&["convert", &from, &exr]).succeeds();
         BAKE.run(&["convert", &exr, &back]).succeeds();
         assert_eq!(std::fs::read(&from).unwrap(), std::fs::read(&back).unwrap());
     }
-    // What a terminal would obey is shown, not sent.
+    // Control characters are shown escaped.
     let shown = BAKE.run(&["inspect", &exr]).succeeds().stdout;
     assert!(
         shown.contains("\nsolver             a\\0\"b\"\\n\n"),
@@ -250,8 +250,8 @@ fn every_flipped_bit_of_a_table_is_noticed() {
         for at in (0..bytes.len()).step_by(stride) {
             let mut damaged = bytes.to_vec();
             damaged[at] ^= 1 << (at % 8);
-            // A bit that stands for nothing (padding, a channel that is not read) may go unnoticed, but
-            // then the table is the same.
+            // A bit without meaning (padding, a channel that is not read) may change unnoticed, but then the table
+            // is the same.
             match container::from_bytes(&damaged) {
                 Err(_) => noticed += 1,
                 Ok(read) => assert!(read == table, "byte {at} changed the table unnoticed"),
@@ -271,7 +271,7 @@ fn damaged_exr_tables_are_refused_in_one_line() {
     let truncated = path(&folder, "truncated.exr");
     std::fs::write(&truncated, &ATLAS_EXR[..ATLAS_EXR.len() / 2]).unwrap();
     BAKE.run(&["inspect", &truncated]).refuses(&[&truncated]);
-    // A data window of two thousand million lines.
+    // A data window of two billion lines.
     let mut absurd = ATLAS_EXR.to_vec();
     let window = absurd
         .windows(11)

@@ -1,20 +1,20 @@
-//! The bending by direct integration of the Binet equation: the RK4 core that all share.
+//! The deflection angle by direct integration of the Binet equation with RK4.
 //!
-//! Weak and strong fields ask for different variables, so that what is small is carried and not
-//! subtracted. With y = u in weak fields and y = w = 2/3 − u in strong ones, the same equation is
+//! Weak and strong fields need different variables, so that small quantities are carried and not computed by
+//! subtraction. With y = u in weak fields and y = w = 2/3 − u in strong ones, the equation has the same form,
 //!
 //! ```text
 //! y″ = σ (y − (3/2) y²),     σ = −1 for u, +1 for w.
 //! ```
 //!
-//! A ray that lingers is integrated from where it lingers, for there its relative error, and with it
-//! the error of φ, stays small: from the periapsis, or from its crossing of the photon sphere. φ_∞ is
-//! then the sum of the two arms (Weinberg's Δφ = 2|φ(r₀) − φ_∞| − π for an observer at infinity).
+//! A near-critical ray lingers near its periapsis or near its crossing of the photon sphere. Integration starts at
+//! that point, which keeps the relative error of the state small there, and with it the error of φ. φ_∞ is then
+//! the sum of two arms (Weinberg's Δφ = 2|φ(r₀) − φ_∞| − π for an observer at infinity).
 
 use crate::rk4::{Event, Stepper, march};
-use crate::{EdgeCoordinate, Fate, Observer, Path, Ray, U_PHOTON};
+use crate::{Observer, Path, Ray, RayOutcome, ShadowCoordinate, U_PHOTON};
 
-/// The bending and its slope along the edge coordinate.
+/// The bending Δ (deflection angle) and its slope along the normalised shadow coordinate x.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BendAndSlope {
     /// Δ, rad.
@@ -23,30 +23,42 @@ pub struct BendAndSlope {
     pub slope: f64,
 }
 
-/// The bending Δ of `ray` in rad, by RK4. With [`Stepper::Adaptive`] the error is about the tolerance
-/// times φ_∞, but not below 1e-14 + ε/(1−x), ε being the rounding of the launch.
+/// The bending Δ of `ray` in rad, by RK4. With [`Stepper::Adaptive`] the error is about the tolerance times φ_∞,
+/// but not below 1e-14 + ε/(1−x), where ε is the rounding error of the initial conditions.
 ///
-/// A march that fails (a fixed step far too long) gives NaN, which no comparison lets pass.
-pub fn bend(ray: &Ray, stepper: Stepper) -> Fate {
+/// If the integration fails (a fixed step far too long), the result is NaN, which no check against a bound
+/// accepts.
+///
+/// ```
+/// use lensbake_core::rk4::Stepper;
+/// use lensbake_core::{Observer, direct, exact};
+///
+/// let ray = Observer::at(10.0).unwrap().ray(0.5).unwrap();
+/// let integrated = direct::bend(&ray, Stepper::Adaptive(1e-12)).escaped().unwrap();
+/// let closed = exact::bend(&ray).escaped().unwrap();
+/// assert!((integrated - closed).abs() < 1e-11);
+/// ```
+pub fn bend(ray: &Ray, stepper: Stepper) -> RayOutcome {
     match ray.path() {
-        Path::Radial => Fate::Escapes(0.0),
+        Path::Radial => RayOutcome::Escapes(0.0),
         _ => arms::<3>(ray, stepper).map(|arms| ray.bend_from_phi(arms.phi_infinity())),
     }
 }
 
-/// The bending and its slope dΔ/dx for `observer` at the edge coordinate `at`, from the variational
-/// equation δy″ = σ (1 − 3y) δy beside the orbit's; x = 0 is included. Errors as for [`bend`].
+/// The bending Δ and its slope dΔ/dx for `observer` at the normalised shadow coordinate `at`; x = 0 is included.
+/// The slope comes from the variational equation δy″ = σ (1 − 3y) δy, integrated together with the orbit. Accuracy
+/// and failure are as for [`bend`].
 pub fn bend_and_slope(
     observer: &Observer,
-    at: EdgeCoordinate,
+    at: ShadowCoordinate,
     stepper: Stepper,
-) -> Fate<BendAndSlope> {
+) -> RayOutcome<BendAndSlope> {
     if let Some(bending) = observer.bend_straight_away(at) {
-        return Fate::Escapes(bending);
+        return RayOutcome::Escapes(bending);
     }
     let ray = observer.ray_at(at);
     if ray.path() == Path::Radial {
-        return Fate::Escapes(BendAndSlope {
+        return RayOutcome::Escapes(BendAndSlope {
             bend: 0.0,
             slope: observer.bend_slope_away(),
         });
@@ -57,7 +69,7 @@ pub fn bend_and_slope(
     })
 }
 
-/// The variable that is integrated.
+/// The integration variable y.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Variable {
     U,
@@ -88,7 +100,7 @@ impl Variable {
         }
     }
 
-    /// dY/dφ of Y = (φ, y, y′) or (φ, y, y′, δy, δy′).
+    /// The right-hand side dY/dφ for Y = (φ, y, y′) or (φ, y, y′, δy, δy′).
     fn orbit<const N: usize>(self) -> impl Fn(&[f64; N]) -> [f64; N] {
         let sigma = self.sigma();
         move |y| {
@@ -103,9 +115,10 @@ impl Variable {
     }
 }
 
-/// The state where the ray reaches infinity and, where it starts between, its observer.
+/// The states at the ends of the arms: `far` at infinity and, if the integration started between infinity and the
+/// observer, `near` at the observer.
 ///
-/// The variation δ is by κ on the paths with two arms, by x on the outward one.
+/// The variation δ is with respect to κ for paths with two arms, with respect to x for the outward path.
 struct Arms<const N: usize> {
     variable: Variable,
     far: [f64; N],
@@ -124,29 +137,29 @@ impl<const N: usize> Arms<N> {
         let Some(near) = self.near else {
             return far_dphi;
         };
-        // dκ/dx = −2/b · (du/dφ)/x. At the observer y′ is ± du/dφ, which cancels: no 0/0 where the
-        // ray starts at its periapsis.
+        // dκ/dx = −2/b · (du/dφ)/x. At the observer y′ is ± du/dφ, which cancels analytically; this avoids 0/0 if
+        // the observer is at the periapsis.
         let kappa_slope = -2.0 * ray.inv_b / ray.x;
         far_dphi * kappa_slope * ray.du_dphi - sigma * near[3] * kappa_slope
     }
 }
 
-/// Builds the N components of a state; the variation is dropped where it is not carried.
+/// The N components of a state; N = 3 leaves out the variation.
 fn state<const N: usize>(y: f64, y_prime: f64, delta: f64, delta_prime: f64) -> [f64; N] {
     let all = [0.0, y, y_prime, delta, delta_prime];
     std::array::from_fn(|i| all[i])
 }
 
-/// The arms of a ray that is not radial; NaN where the march failed.
-fn arms<const N: usize>(ray: &Ray, stepper: Stepper) -> Fate<Arms<N>> {
+/// The arms of a ray that is not radial; NaN if the integration failed.
+fn arms<const N: usize>(ray: &Ray, stepper: Stepper) -> RayOutcome<Arms<N>> {
     let arms = match ray.path() {
-        Path::Captured => return Fate::Captured,
+        Path::Captured => return RayOutcome::Captured,
         Path::Radial => None,
         Path::ViaPeriapsis => via_periapsis(ray, stepper),
         Path::OverPhotonSphere => over_photon_sphere(ray, stepper),
         Path::Outward => outward(ray, stepper),
     };
-    Fate::Escapes(arms.unwrap_or(Arms {
+    RayOutcome::Escapes(arms.unwrap_or(Arms {
         variable: Variable::W,
         far: [f64::NAN; N],
         near: None,
@@ -160,7 +173,7 @@ fn infinity(variable: Variable) -> Event {
     }
 }
 
-/// The observer's place as an event: by velocity near a turning point, else by position.
+/// The event at the observer: given by the velocity near a turning point, otherwise by the position.
 fn observer(ray: &Ray, variable: Variable, speed: f64) -> Event {
     let place = variable.pick(ray.u, ray.w);
     if (place - 1.5 * place * place).abs() > speed.abs() {
@@ -201,7 +214,7 @@ fn over_photon_sphere<const N: usize>(ray: &Ray, stepper: Stepper) -> Option<Arm
     let speed = (-ray.kappa).sqrt();
     let orbit = variable.orbit::<N>();
     let up = state::<N>(0.0, speed, 0.0, -0.5 / speed);
-    // The arm down to the observer is run in the mirror, φ → −φ.
+    // The arm down to the observer is integrated under the reflection φ → −φ.
     let down = state::<N>(0.0, -speed, 0.0, 0.5 / speed);
     let place = Event {
         index: 1,
@@ -239,8 +252,8 @@ mod tests {
 
     const FINE: Stepper = Stepper::Adaptive(1e-12);
 
-    /// The textbook way: straight from the launch, with none of the anchors above.
-    fn bend_marched_from_launch(ray: &Ray) -> f64 {
+    /// The textbook method: integrates from the observer to infinity in one piece.
+    fn bend_integrated_from_observer(ray: &Ray) -> f64 {
         let orbit = Variable::U.orbit::<3>();
         let start = [0.0, ray.u, ray.du_dphi];
         let arrival = march(&orbit, start, infinity(Variable::U), FINE).unwrap();
@@ -253,9 +266,9 @@ mod tests {
         for r in [1.1, 1.4, 1.5, 1.6, 2.0, 5.0, 50.0] {
             let observer = Observer::at(r).unwrap();
             for s in [0.1, 0.3, 0.6, 0.9, 0.99] {
-                let ray = observer.ray_at(EdgeCoordinate::from_s(s));
+                let ray = observer.ray_at(ShadowCoordinate::from_s(s));
                 let bend = bend(&ray, FINE).escaped().unwrap();
-                let marched = bend_marched_from_launch(&ray);
+                let marched = bend_integrated_from_observer(&ray);
                 assert!((bend - marched).abs() < 1e-9, "r {r} s {s}");
                 compared += 1;
             }
@@ -278,14 +291,14 @@ mod tests {
         ] {
             let observer = Observer::at_chi(chi);
             let exact_at = |x: f64| {
-                let at = EdgeCoordinate {
+                let at = ShadowCoordinate {
                     x,
                     one_minus_x: 1.0 - x,
                 };
                 exact::bend(&observer.ray_at(at)).escaped().unwrap()
             };
             for x in [0.01, 0.2, 0.5, 0.8, 0.95] {
-                let at = EdgeCoordinate {
+                let at = ShadowCoordinate {
                     x,
                     one_minus_x: 1.0 - x,
                 };
@@ -308,7 +321,7 @@ mod tests {
         for chi in [0.0, 0.01, 0.5, 1.0, 1.5, std::f64::consts::FRAC_PI_2] {
             let observer = Observer::at_chi(chi);
             let slope = |x: f64| {
-                let at = EdgeCoordinate {
+                let at = ShadowCoordinate {
                     x,
                     one_minus_x: 1.0 - x,
                 };

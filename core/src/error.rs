@@ -1,7 +1,7 @@
 use crate::MAX_DISTANCE;
 use thiserror::Error;
 
-/// Input for which there is no ray.
+/// Input for which no ray exists or none can be computed.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum CoreError {
     /// The observer's radius is not above the horizon.
@@ -13,9 +13,9 @@ pub enum CoreError {
          at infinity is `inf`"
     )]
     TooFar {
-        /// Which of the two.
+        /// Name of the quantity: radius or impact parameter.
         what: &'static str,
-        /// What was given.
+        /// The value given.
         found: f64,
     },
     /// The view angle is outside [0, π].
@@ -24,7 +24,7 @@ pub enum CoreError {
     /// The impact parameter is not a positive number.
     #[error("impact parameter {0} is not a positive finite number")]
     ImpactParameter(f64),
-    /// A question that only an observer at infinity can be asked, or only one at a finite radius.
+    /// A finite radius is needed: an observer at infinity has no view angles.
     #[error("an observer at infinity has an impact parameter, not a view angle")]
-    FarHasNoAngle,
+    NoViewAngleAtInfinity,
 }

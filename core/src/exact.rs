@@ -1,26 +1,36 @@
-//! The bending in closed form: the oracle that checks the RK4 core.
+//! The deflection angle in closed form: the reference that the RK4 integration in [`crate::direct`] is checked
+//! against.
 //!
-//! φ = ∫ du / √(u³ − u² + 1/b²) is an elliptic integral of the first kind. It is reduced to Carlson's
-//! R_F (crate `ellip`) with the cubic's roots and all differences of roots written so that nothing
-//! cancels, neither near the critical b nor in weak fields nor at the photon sphere.
+//! φ = ∫ du / √(u³ − u² + 1/b²) is an elliptic integral of the first kind. It is reduced to Carlson's R_F (crate
+//! `ellip`). The roots of the cubic and all their differences are written so that nothing cancels: not near the
+//! critical impact parameter, not in weak fields, not at the photon sphere.
 
-use crate::{Fate, Path, Ray};
+use crate::{Path, Ray, RayOutcome};
 
-/// The bending Δ of `ray` in rad, good to about 1e-14 + ε/(1−x) with ε the rounding of its launch.
-pub fn bend(ray: &Ray) -> Fate {
+/// The bending Δ of `ray` in rad, accurate to about 1e-14 + ε/(1−x), where ε is the rounding error of the initial
+/// conditions.
+///
+/// ```
+/// use lensbake_core::{Ray, exact};
+///
+/// // Light that passes the Sun at grazing incidence: b = 235,600 Schwarzschild radii, 1.75 arc seconds.
+/// let bend = exact::bend(&Ray::from_infinity(235_600.0).unwrap()).escaped().unwrap();
+/// assert!((bend.to_degrees() * 3600.0 - 1.751).abs() < 1e-3);
+/// ```
+pub fn bend(ray: &Ray) -> RayOutcome {
     let phi_infinity = match ray.path() {
-        Path::Captured => return Fate::Captured,
-        Path::Radial => return Fate::Escapes(0.0),
+        Path::Captured => return RayOutcome::Captured,
+        Path::Radial => return RayOutcome::Escapes(0.0),
         Path::ViaPeriapsis => {
             let to_infinity = phi_from_apsis(ray, 0.0, ray.u_apsis());
             to_infinity + phi_from_apsis(ray, ray.u, depth_below_apsis(ray))
         }
         Path::OverPhotonSphere | Path::Outward => phi_outward(ray),
     };
-    Fate::Escapes(ray.bend_from_phi(phi_infinity))
+    RayOutcome::Escapes(ray.bend_from_phi(phi_infinity))
 }
 
-/// u_a − u at the launch, from (du/dφ)² = (u − u₁)(u₂ − u)(u₃ − u) instead of by subtraction.
+/// u_a − u at the observer, from (du/dφ)² = (u − u₁)(u₂ − u)(u₃ − u) instead of by subtraction.
 fn depth_below_apsis(ray: &Ray) -> f64 {
     if ray.u == 0.0 {
         return ray.u_apsis();
@@ -31,8 +41,8 @@ fn depth_below_apsis(ray: &Ray) -> f64 {
     2.0 * c / (gap + (gap * gap + 4.0 * c).sqrt())
 }
 
-/// Orbital angle between the periapsis and `u`, which lies `depth` below it: Carlson's integral with
-/// three real factors, one end at a root (DLMF 19.29.4).
+/// Orbital angle between the periapsis u_a and `u` = u_a − `depth`, by Carlson's integral with three real factors
+/// and one limit at a root (DLMF 19.29.4).
 fn phi_from_apsis(ray: &Ray, u: f64, depth: f64) -> f64 {
     let (u1, _) = ray.negative_root();
     let gap = ray.positive_root_gap();
@@ -41,19 +51,19 @@ fn phi_from_apsis(ray: &Ray, u: f64, depth: f64) -> f64 {
     2.0 * depth.sqrt() * r_f(above_u3 * span, gap * span, below_u1 * gap)
 }
 
-/// Orbital angle of an outward ray from its launch to infinity: Carlson's integral with one linear
-/// and one quadratic factor, which serves real and complex pairs of roots alike
-/// (Carlson 1991, Math. Comp. 56, 267; DLMF 19.29.28 with 19.29.7).
+/// Orbital angle of an outward ray from the observer to infinity, by Carlson's integral with one linear and one
+/// quadratic factor, which is valid for real and for complex pairs of roots (Carlson 1991, Math. Comp. 56, 267;
+/// DLMF 19.29.28 with 19.29.7).
 fn phi_outward(ray: &Ray) -> f64 {
     let u = ray.u;
     let (u1, v) = ray.negative_root();
-    // √ of the linear factor u − u₁ and of the quadratic one at both ends.
+    // Square roots of the linear factor u − u₁ and of the quadratic factor, at both ends.
     let (linear, linear_far) = ((u - u1).sqrt(), (-u1).sqrt());
     let quadratic = ray.du_dphi.abs() / linear;
     let quadratic_far = (u1 * (u1 - 1.0)).sqrt();
-    // (ξ + η)² − u² = cross + lean; where lean is negative the two cancel, and the quotient does not.
+    // (ξ + η)² − u² = cross + lean. If lean is negative, the sum cancels; the equivalent quotient does not.
     let cross = 2.0 * quadratic * quadratic_far;
-    // −2u₁ − u, from what is small: u and u₁ far out, w and v at the photon sphere.
+    // −2u₁ − u, computed from small quantities: u and u₁ far from the hole, w and v near the photon sphere.
     let small = if ray.w > 1.0 / 3.0 {
         -2.0 * u1 - u
     } else {
@@ -73,7 +83,7 @@ fn phi_outward(ray: &Ray) -> f64 {
     4.0 * r_f(m_sq, l_minus_sq, l_plus_sq)
 }
 
-/// Carlson's R_F; NaN outside its domain, which no ray of [`Path`] reaches.
+/// Carlson's R_F. NaN outside its domain, which no ray reaches.
 fn r_f(x: f64, y: f64, z: f64) -> f64 {
     ellip::elliprf(x, y, z).unwrap_or(f64::NAN)
 }
@@ -82,13 +92,13 @@ fn r_f(x: f64, y: f64, z: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::rk4::Stepper;
-    use crate::{EdgeCoordinate, Observer, direct};
+    use crate::{Observer, ShadowCoordinate, direct};
     use proptest::prelude::*;
     use std::f64::consts::{FRAC_PI_2, PI};
 
-    /// (b, Δφ) from infinity, computed with 25 digits from the integral, outside this project.
+    /// (b, Δφ) for rays from infinity, computed from the integral with 25 digits, independently of this project.
     const FROM_INFINITY: [(f64, f64); 9] = [
-        // Of the f64 nearest to 2.5981: of 2.5981 itself it is 11.200 883 845 258 15.
+        // For the f64 nearest to 2.5981; for 2.5981 itself the value is 11.200 883 845 258 15.
         (2.5981, 11.200_883_845_254_955),
         (2.6, 6.810_371_956_663_497),
         (2.7, 2.919_396_339_609_557),
@@ -100,7 +110,7 @@ mod tests {
         (1000.0, 0.002_002_950_587_024_579),
     ];
 
-    /// (r, θ in degrees, Δ) of static observers, likewise.
+    /// (r, θ in degrees, Δ) for static observers, computed in the same way.
     const STATIC: [(f64, f64, f64); 11] = [
         (25.0, 30.0, 0.166_853_965_779_262_6),
         (10.0, 30.0, 0.516_183_057_451_617),
@@ -150,18 +160,18 @@ mod tests {
     fn straight_into_the_hole_and_straight_away() {
         for r in [1.001, 1.5, 3.0, 1e6] {
             let observer = Observer::at(r).unwrap();
-            assert_eq!(bend(&observer.ray(0.0).unwrap()), Fate::Captured);
+            assert_eq!(bend(&observer.ray(0.0).unwrap()), RayOutcome::Captured);
             let away = bend(&observer.ray(PI).unwrap()).escaped().unwrap();
             assert!(away.abs() < 1e-12, "r {r}: {away:e}");
         }
     }
 
-    /// Small distances by decades: 10⁻ⁿ with n drawn evenly.
+    /// Small distances 10⁻ⁿ with n uniform, so that every decade is equally likely.
     fn decades(n: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
         n.prop_map(|n| 10f64.powf(-n))
     }
 
-    /// χ over all radii, crowding r = ∞, the photon sphere and the horizon.
+    /// χ over all radii, concentrated near r = ∞, the photon sphere and the horizon.
     fn radii() -> impl Strategy<Value = f64> {
         let photon_sphere = (2.0 / 3.0_f64).sqrt().asin();
         prop_oneof![
@@ -176,12 +186,13 @@ mod tests {
         ]
     }
 
-    /// x = 1 − s² crowding the edge down to 1 − x = 1e-12, and straight away.
-    fn sights() -> impl Strategy<Value = EdgeCoordinate> {
+    /// Normalised shadow coordinates, concentrated near the shadow boundary down to 1 − x = 1e-12, and near x = 0,
+    /// straight away from the hole.
+    fn sights() -> impl Strategy<Value = ShadowCoordinate> {
         prop_oneof![
-            (0.001..0.999).prop_map(EdgeCoordinate::from_s),
-            decades(0.1..6.0).prop_map(EdgeCoordinate::from_s),
-            decades(0.1..12.0).prop_map(|x| EdgeCoordinate {
+            (0.001..0.999).prop_map(ShadowCoordinate::from_s),
+            decades(0.1..6.0).prop_map(ShadowCoordinate::from_s),
+            decades(0.1..12.0).prop_map(|x| ShadowCoordinate {
                 x,
                 one_minus_x: 1.0 - x
             }),
@@ -199,11 +210,11 @@ mod tests {
         }
 
         #[test]
-        fn a_view_angle_gives_the_same_ray_as_its_edge_coordinate(
+        fn a_view_angle_gives_the_same_ray_as_its_shadow_coordinate(
             r in 1.001..100.0, theta in 0.01..3.13,
         ) {
             let observer = Observer::at(r).unwrap();
-            let at = observer.edge_coordinate(theta);
+            let at = observer.shadow_coordinate(theta);
             prop_assert!((observer.view_angle(at.x) - theta).abs() < 1e-14);
             prop_assert!((at.x + at.one_minus_x - 1.0).abs() < 1e-14 * (1.0 + at.x));
             let b = r * theta.sin() / (1.0 - 1.0 / r).sqrt();
@@ -214,7 +225,7 @@ mod tests {
         #[test]
         fn bending_grows_towards_the_edge(chi in radii(), s in 0.001..0.99) {
             let observer = Observer::at_chi(chi);
-            let bend = |s| bend(&observer.ray_at(EdgeCoordinate::from_s(s))).escaped().unwrap();
+            let bend = |s| bend(&observer.ray_at(ShadowCoordinate::from_s(s))).escaped().unwrap();
             prop_assert!(bend(s) > bend(s * 1.01));
         }
     }

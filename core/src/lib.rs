@@ -1,6 +1,6 @@
-//! The bending of light by a non-rotating (Schwarzschild) black hole, in f64.
+//! Deflection of light by a non-rotating (Schwarzschild) black hole, in f64.
 //!
-//! Units: the Schwarzschild radius is 1 (2GM = 1) and c = 1; angles are radians; u = 1/r.
+//! Units: the Schwarzschild radius is 1 (2GM = 1) and c = 1; angles are in radians; u = 1/r.
 //!
 //! A light ray moves in a plane through the hole and obeys the Binet equation
 //!
@@ -8,37 +8,37 @@
 //! d²u/dφ² = −u + (3/2) u²,     (du/dφ)² = 1/b² − u² + u³
 //! ```
 //!
-//! with φ the orbital angle and b the impact parameter. A static observer at r who looks at the
-//! angle θ from the direction of the hole sees, in the absence of the hole, the sky at θ; the hole
-//! shows him the sky at θ′ = θ − Δ. This crate computes the bending Δ:
+//! with φ the orbital angle and b the impact parameter. A static observer at r looks in the direction at the view
+//! angle θ from the hole. Without the hole, the sky at θ is seen there; with it, the sky at θ′ = θ − Δ. This crate
+//! computes the deflection angle Δ, called the *bending*:
 //!
-//! - [`direct`] integrates the Binet equation by RK4: the product's own path;
-//! - [`exact`] evaluates the closed form in elliptic integrals: the oracle that checks it;
-//! - [`series`] holds the weak and the strong limit.
+//! - [`direct`] integrates the Binet equation by RK4; the bending tables are computed with it;
+//! - [`exact`] evaluates the closed form in elliptic integrals: the reference that [`direct`] is checked against;
+//! - [`series`] holds the weak-field and the strong-deflection limit for an observer at infinity.
 //!
-//! All start from the same [`Ray`], which an [`Observer`] launches. It depends on no other package
-//! of the project and knows no file, no table and no GPU.
+//! The first two take a [`Ray`], which an [`Observer`] creates. The crate depends on no other crate of the project
+//! and contains nothing about files, tables or GPUs.
 
 pub mod direct;
 mod error;
 pub mod exact;
-mod fate;
 mod observer;
 mod ray;
+mod ray_outcome;
 pub mod rk4;
 pub mod series;
 
 pub use direct::BendAndSlope;
 pub use error::CoreError;
-pub use fate::Fate;
-pub use observer::{EdgeCoordinate, Observer};
+pub use observer::{Observer, ShadowCoordinate};
 pub use ray::{Path, Ray};
+pub use ray_outcome::RayOutcome;
 
-/// Critical impact parameter b_c = 3√3/2, in units of r_s: from infinity, smaller b is captured.
+/// Critical impact parameter b_c = 3√3/2, in units of r_s: a ray from infinity with smaller b is captured.
 pub const B_CRIT: f64 = 2.598_076_211_353_316;
 
-/// The largest finite radius and impact parameter that is computed with, in units of r_s: beyond it the
-/// squares of 1/r and 1/b lose their digits.
+/// Largest finite radius and impact parameter that are supported, in units of r_s: beyond it the squares of 1/r
+/// and 1/b lose precision.
 pub const MAX_DISTANCE: f64 = 1e150;
 
 /// Radius of the photon sphere, 3/2 in units of r_s.

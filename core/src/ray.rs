@@ -1,54 +1,54 @@
-//! A light ray at its launch, and the way it takes.
+//! A light ray, given by its initial conditions at the observer, and the kind of path it follows.
 //!
-//! Near the photon sphere everything depends on small differences, so a ray carries them instead of
-//! leaving them to be subtracted: w = 2/3 − u, and κ = 4/27 − 1/b², for which the first integral reads
+//! Near the photon sphere the bending depends on small differences. A ray carries these, so that they need not be
+//! computed by subtraction: w = 2/3 − u, and κ = 4/27 − 1/b², for which the first integral is
 //!
 //! ```text
 //! (dw/dφ)² = w² (1 − w) − κ.
 //! ```
 //!
-//! κ > 0 turns round at a periapsis, κ < 0 passes over the photon sphere, κ = 0 is critical.
+//! κ > 0: the ray turns round at a periapsis. κ < 0: it crosses the photon sphere. κ = 0: it is critical, b = b_c.
 
-use crate::{CoreError, EdgeCoordinate, MAX_DISTANCE, Observer};
+use crate::{CoreError, MAX_DISTANCE, Observer, ShadowCoordinate};
 
-/// A light ray followed backwards from its observer, given at its launch.
+/// A light ray traced backwards from the observer, given by its initial conditions there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ray {
     /// u = 1/r at the observer.
     pub(crate) u: f64,
     /// w = 2/3 − u at the observer.
     pub(crate) w: f64,
-    /// View angle from the hole, rad; 0 for an observer at infinity.
+    /// View angle from the direction of the hole, rad; 0 for an observer at infinity.
     pub(crate) theta: f64,
-    /// Edge coordinate.
+    /// Normalised shadow coordinate x.
     pub(crate) x: f64,
-    /// Whether the view direction lies within the shadow, its edge included.
+    /// Whether the view direction lies inside the shadow or on its boundary.
     pub(crate) captured: bool,
     /// 1/b.
     pub(crate) inv_b: f64,
-    /// du/dφ = cos θ / b at the launch: positive towards the hole.
+    /// du/dφ = cos θ / b at the observer: positive towards the hole.
     pub(crate) du_dphi: f64,
     /// κ = 4/27 − 1/b².
     pub(crate) kappa: f64,
 }
 
-/// The way of a ray.
+/// The kind of path that a ray follows, traced backwards from the observer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Path {
-    /// Into the horizon.
+    /// Ends at the horizon.
     Captured,
-    /// Straight along the axis away from the hole: b = 0, no bending.
+    /// Radially outwards (b = 0, no bending); also x = 0 (b = ∞) for an observer at infinity.
     Radial,
     /// Inwards to a periapsis and out again.
     ViaPeriapsis,
-    /// Outwards from below the photon sphere, over it.
+    /// Outwards from an observer inside the photon sphere, across it.
     OverPhotonSphere,
-    /// Outwards from the photon sphere or above.
+    /// Outwards from an observer on or outside the photon sphere.
     Outward,
 }
 
 impl Ray {
-    /// The ray that comes from infinity with impact parameter `b` (units of r_s).
+    /// The ray from infinity with impact parameter `b` (units of r_s).
     ///
     /// # Errors
     /// [`CoreError::ImpactParameter`] unless b is positive and finite, [`CoreError::TooFar`] above
@@ -63,7 +63,7 @@ impl Ray {
                 found: b,
             });
         }
-        Ok(Observer::far().ray_at(EdgeCoordinate::from_b(b)))
+        Ok(Observer::at_infinity().ray_at(ShadowCoordinate::from_b(b)))
     }
 
     /// Impact parameter b in units of r_s.
@@ -71,7 +71,7 @@ impl Ray {
         1.0 / self.inv_b
     }
 
-    /// The way this ray takes.
+    /// The kind of path that this ray follows.
     pub fn path(&self) -> Path {
         if self.captured {
             Path::Captured
@@ -86,12 +86,12 @@ impl Ray {
         }
     }
 
-    /// Δ = φ_∞ − π + θ, from the orbital angle between the observer and infinity.
+    /// Δ = φ_∞ − π + θ, with φ_∞ the orbital angle between the observer and infinity.
     pub(crate) fn bend_from_phi(&self, phi_infinity: f64) -> f64 {
         phi_infinity - std::f64::consts::PI + self.theta
     }
 
-    /// η = (2/3) asin(b_c/b), of which the roots of the cubic are trigonometric functions.
+    /// η = (2/3) asin(b_c/b). The roots of the cubic u³ − u² + 1/b² are trigonometric functions of η.
     fn eta(&self) -> f64 {
         2.0 / 3.0 * self.inv_b.atan2(self.kappa.sqrt())
     }
@@ -101,8 +101,7 @@ impl Ray {
         2.0 / 3.0 * self.kappa.sqrt().atan2(self.inv_b)
     }
 
-    /// u at the periapsis: u_a = 1/3 + (2/3) sin(⅓ asin(27/(2b²) − 1)), written without
-    /// cancellation. Needs κ ≥ 0.
+    /// u at the periapsis: u_a = 1/3 + (2/3) sin(⅓ asin(27/(2b²) − 1)), written without cancellation. Needs κ ≥ 0.
     pub(crate) fn u_apsis(&self) -> f64 {
         let half = 0.5 * self.eta();
         4.0 / 3.0 * half.sin() * (std::f64::consts::FRAC_PI_6 - half).cos()
@@ -113,12 +112,12 @@ impl Ray {
         4.0 / 3.0 * (0.5 * self.eta()).cos() * (0.5 * self.eta_complement()).sin()
     }
 
-    /// u₂ − u₁ between the periapsis and the negative root of the cubic. Needs κ ≥ 0.
+    /// u₂ − u₁: the root at the periapsis minus the negative root of the cubic. Needs κ ≥ 0.
     pub(crate) fn apsis_above_negative_root(&self) -> f64 {
         2.0 / 3.0_f64.sqrt() * self.eta().sin()
     }
 
-    /// u₃ − u₂ between the two positive roots of the cubic. Needs κ ≥ 0.
+    /// u₃ − u₂: the difference of the two positive roots of the cubic. Needs κ ≥ 0.
     pub(crate) fn positive_root_gap(&self) -> f64 {
         2.0 / 3.0_f64.sqrt() * self.eta_complement().sin()
     }

@@ -1,41 +1,41 @@
-//! The classical Runge–Kutta method of order four, and its march to an event.
+//! The classical Runge–Kutta method of order four, and integration with it up to an event.
 //!
-//! The system is autonomous: dY/dφ = F(Y), with φ itself the component Y₀. To land on an event
-//! exactly, the last step takes the event's component as the independent variable, dY/dY_k = F/F_k
-//! (Hénon 1982, Physica D 5, 412).
+//! The system is autonomous: dY/dφ = F(Y), with φ itself as component Y₀. To end exactly at the event, the last
+//! step takes the event's component as the independent variable, dY/dY_k = F/F_k (Hénon 1982, Physica D 5, 412).
 
-/// How long the steps are.
+/// How the step length is chosen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stepper {
-    /// Steps of this length in φ (rad).
+    /// Constant steps of this length in φ (rad).
     Fixed(f64),
-    /// Steps chosen by step doubling so that the relative error a radian of φ stays below this.
+    /// Steps chosen by step doubling, so that the relative error per radian of φ stays below this tolerance.
     Adaptive(f64),
 }
 
-/// The component `index` of the state reaching `value`.
+/// The event that ends an integration: component `index` of the state reaches `value`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Event {
-    /// Which component.
+    /// Index of the component.
     pub index: usize,
-    /// What it reaches.
+    /// The value that the component reaches.
     pub value: f64,
 }
 
-/// The state at the event and what it cost to get there.
+/// The state at the event, and the cost of reaching it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Arrival<const N: usize> {
-    /// The state, its component `event.index` equal to `event.value`.
+pub struct EventState<const N: usize> {
+    /// The state; its component `event.index` equals `event.value`.
     pub state: [f64; N],
-    /// Evaluations of the right-hand side.
+    /// Number of evaluations of the right-hand side.
     pub evaluations: u32,
 }
 
-/// The first step of an adaptive march, rad.
+/// First step of an adaptive integration, rad.
 const FIRST_STEP: f64 = 0.05;
-/// The longest step of an adaptive march, rad: no event may be stepped over.
+/// Longest step of an adaptive integration, rad; a longer one might step over the event.
 const LONGEST_STEP: f64 = 0.5;
-/// More steps than any ray needs that f64 can tell from a captured one, at any tolerance in use.
+/// Most steps of an integration. A ray that f64 can distinguish from a captured one needs fewer, at any tolerance
+/// in use.
 const STEP_LIMIT: u32 = 10_000_000;
 
 /// One RK4 step of length `h` for dY/dt = `f`(Y).
@@ -48,8 +48,8 @@ pub fn step<const N: usize>(f: &impl Fn(&[f64; N]) -> [f64; N], y: &[f64; N], h:
     std::array::from_fn(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]))
 }
 
-/// Marches dY/dφ = `f`(Y) from `start` until `event`. Component 0 is φ, components 1 and 2 are the
-/// position and the velocity that the error is measured by.
+/// Integrates dY/dφ = `f`(Y) from `start` until `event`. Component 0 is φ. The error is estimated from components
+/// 1 and 2, the position and the velocity.
 ///
 /// `None` if the event is not reached within the step limit or the state stops being finite.
 pub fn march<const N: usize>(
@@ -57,7 +57,7 @@ pub fn march<const N: usize>(
     start: [f64; N],
     event: Event,
     stepper: Stepper,
-) -> Option<Arrival<N>> {
+) -> Option<EventState<N>> {
     let mut y = start;
     let mut h = match stepper {
         Stepper::Fixed(h) => h,
@@ -67,16 +67,16 @@ pub fn march<const N: usize>(
     let side = |y: &[f64; N]| event.value - y[event.index];
     let ahead = side(&y);
     if ahead == 0.0 {
-        return Some(Arrival {
+        return Some(EventState {
             state: y,
             evaluations,
         });
     }
     for _ in 0..STEP_LIMIT {
-        // A step that would go far beyond the event is not tried: the equation may be unbounded there.
+        // Do not try a step that would end far beyond the event: the right-hand side may be unbounded there.
         let h_to_event = side(&y) / f(&y)[event.index];
         if (0.0..0.5 * h).contains(&h_to_event) && matches!(stepper, Stepper::Fixed(_)) {
-            return Some(Arrival {
+            return Some(EventState {
                 state: land(f, &y, event),
                 evaluations: evaluations + 5,
             });
@@ -92,7 +92,7 @@ pub fn march<const N: usize>(
             return None;
         }
         if side(&next) * ahead <= 0.0 {
-            return Some(Arrival {
+            return Some(EventState {
                 state: land(f, &y, event),
                 evaluations: evaluations + 4,
             });
@@ -102,7 +102,7 @@ pub fn march<const N: usize>(
     None
 }
 
-/// The last step: the event's component is the independent variable.
+/// The last step, with the event's component as the independent variable.
 fn land<const N: usize>(
     f: &impl Fn(&[f64; N]) -> [f64; N],
     y: &[f64; N],
@@ -117,7 +117,7 @@ fn land<const N: usize>(
     state
 }
 
-/// A step tried: its result if it was good enough, and the length to try next.
+/// An attempted step: its result if it was accurate enough, and the step length to try next.
 struct Trial<const N: usize> {
     state: Option<[f64; N]>,
     next_h: f64,
@@ -134,8 +134,8 @@ impl<const N: usize> Trial<N> {
     }
 }
 
-/// One step of `h` against two of `h/2`, with the difference both as the error and, by Richardson's
-/// extrapolation, as the correction.
+/// One step of `h` compared with two of `h/2`. Their difference gives the error estimate and, by Richardson
+/// extrapolation, the correction.
 fn doubled_step<const N: usize>(
     f: &impl Fn(&[f64; N]) -> [f64; N],
     y: &[f64; N],
@@ -147,7 +147,7 @@ fn doubled_step<const N: usize>(
     let correction: [f64; N] = std::array::from_fn(|i| (halves[i] - whole[i]) / 15.0);
     let error = correction[1].abs() + correction[2].abs();
     let allowed = tolerance * h * (y[1].abs() + y[2].abs());
-    // Error a unit of φ falls as h⁴. A NaN error shrinks the step as a large one does.
+    // The error per unit of φ falls as h⁴. A NaN error shrinks the step, as a large error does.
     let growth = 0.9 * (allowed / error.max(f64::MIN_POSITIVE)).powf(0.25);
     if error <= allowed {
         let next_h = (h * growth.clamp(1.0, 4.0)).min(LONGEST_STEP);

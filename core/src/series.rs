@@ -1,9 +1,9 @@
-//! The two limits of the bending for an observer at infinity.
+//! The weak-field and the strong-deflection limit of the deflection angle, for an observer at infinity.
 
 use crate::B_CRIT;
 
-/// Weak field: Δφ = 4x + (15π/4) x² + (128/3) x³ + (3465π/64) x⁴ + O(x⁵), x = 1/(2b), in rad
-/// (Keeton & Petters 2005, Phys. Rev. D 72, 104006). The error is below 1e3 x⁵ for b > 10.
+/// Weak-field limit: Δφ = 4x + (15π/4) x² + (128/3) x³ + (3465π/64) x⁴ + O(x⁵), x = 1/(2b), in rad (Keeton &
+/// Petters 2005, Phys. Rev. D 72, 104006). The error is below 1e3 x⁵ for b > 10.
 pub fn weak(b: f64) -> f64 {
     use std::f64::consts::PI;
     let x = 0.5 / b;
@@ -11,8 +11,8 @@ pub fn weak(b: f64) -> f64 {
     x * (c[0] + x * (c[1] + x * (c[2] + x * c[3])))
 }
 
-/// Strong limit: Δφ = −ln(b/b_c − 1) + ln[216 (7 − 4√3)] − π, in rad
-/// (Bozza 2002, Phys. Rev. D 66, 103001). The error vanishes as (b/b_c − 1) ln(b/b_c − 1).
+/// Strong-deflection limit: Δφ = −ln(b/b_c − 1) + ln[216 (7 − 4√3)] − π, in rad (Bozza 2002, Phys. Rev. D 66,
+/// 103001). The error vanishes as (b/b_c − 1) ln(b/b_c − 1).
 pub fn strong(b: f64) -> f64 {
     let excess = (b - B_CRIT) / B_CRIT;
     -excess.ln() + strong_constant()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes bake/data/regimes.csv: the regimes of the atlas of stability and, for each, the closed form
+"""Writes studies/data/regimes.csv: the regimes of the atlas of stability and, for each, the closed form
 with 60 digits, from exactly the numbers that the programs get. Needs mpmath; run from the root of the
 repository.
 
@@ -142,7 +142,7 @@ def truth(kind, first, second, exists):
 
 
 check()
-with open("bake/data/regimes.csv", "w", encoding="utf-8") as out:
+with open("studies/data/regimes.csv", "w", encoding="utf-8") as out:
     out.write("group;name;kind;first;second;truth\n")
     for group, name, kind, first, second, exists in regimes():
         out.write(f"{group};{name};{kind};{first!r};{second!r};{truth(kind, first, second, exists)}\n")

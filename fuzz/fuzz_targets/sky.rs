@@ -1,15 +1,15 @@
-//! A sky picture, by the viewer's own entry and with its limits: PNG, JPEG, HDR and OpenEXR.
+//! Fuzz target: a sky picture (PNG, JPEG, HDR or OpenEXR), read by the viewer's own function with its limits.
 
 #![no_main]
 
 use lensbake_fuzz::one_line;
+use lensbake_render::sky::{declared_size, panorama_from_bytes};
 use libfuzzer_sys::fuzz_target;
 use std::path::Path;
-use viewer::sky::{declared_size, panorama_from_bytes};
 
-/// Larger pictures are valid, but take their time.
+/// Largest side: larger pictures are valid, but slow.
 const MAX_WIDTH: u32 = 256;
-/// How many texels of the sky, each of four channels, are looked at.
+/// Number of texels of the sky to check, each of four channels.
 const TEXELS: usize = 1000;
 
 fuzz_target!(|bytes: &[u8]| {

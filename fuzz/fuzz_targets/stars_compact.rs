@@ -1,10 +1,11 @@
-//! The compact star catalogue: any bytes behind its mark, and the same bytes with a checksum that fits.
+//! Fuzz target: the compact star catalogue, from any bytes after its magic number, and with the checksum
+//! corrected.
 
 #![no_main]
 
 use lensbake_fuzz::{exercise_stars, one_line};
+use lensbake_render::stars::{StarsProblem, catalogue_from_bytes, to_bytes};
 use libfuzzer_sys::fuzz_target;
-use viewer::stars::{StarsProblem, catalogue_from_bytes, to_bytes};
 
 const MAGIC: &[u8] = b"LBSTARS\0";
 const CHECKSUM: std::ops::Range<usize> = 24..28;

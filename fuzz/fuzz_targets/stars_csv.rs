@@ -1,13 +1,13 @@
-//! A star catalogue as CSV.
+//! Fuzz target: a star catalogue as CSV.
 
 #![no_main]
 
 use lensbake_fuzz::{exercise_stars, one_line};
+use lensbake_render::stars::{StarsProblem, catalogue_from_bytes};
 use libfuzzer_sys::fuzz_target;
-use viewer::stars::{StarsProblem, catalogue_from_bytes};
 
 fuzz_target!(|bytes: &[u8]| {
-    // The other format has a target of its own.
+    // The compact format has its own target.
     if bytes.starts_with(b"LBSTARS\0") {
         return;
     }
@@ -26,7 +26,7 @@ fuzz_target!(|bytes: &[u8]| {
     }
 });
 
-/// How many lines an editor shows.
+/// Number of lines as an editor counts them.
 fn lines(bytes: &[u8]) -> u64 {
     let text = String::from_utf8_lossy(bytes).replace("\r\n", "\n");
     text.split(['\n', '\r']).count() as u64

@@ -1,4 +1,4 @@
-//! The binary table: any bytes, and the same bytes with a checksum that fits.
+//! Fuzz target: the binary table, from any bytes, and with the checksum corrected.
 
 #![no_main]
 
@@ -7,7 +7,7 @@ use lensbake_tables::container;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
-    // Whole and with the mark in front, so that no mutation is lost on it.
+    // As they are, and with the magic number in front, so that no mutation of it is wasted.
     for file in [
         bytes.to_vec(),
         [b"LENSBAKE", bytes.get(8..).unwrap_or(&[])].concat(),

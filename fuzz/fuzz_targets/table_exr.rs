@@ -1,4 +1,4 @@
-//! The EXR table: any bytes, and the same bytes with a checksum that fits.
+//! Fuzz target: the EXR table, from any bytes, and with the checksum corrected.
 
 #![no_main]
 

@@ -1,15 +1,15 @@
 //! What the fuzz targets share.
 
-use lensbake_core::{EdgeCoordinate, Fate, Observer};
+use lensbake_core::{Observer, RayOutcome, ShadowCoordinate};
+use lensbake_render::stars::{Catalogue, StarField};
 use lensbake_tables::{InverseRow, Problem, Rows, Table};
-use viewer::stars::{Catalogue, StarField};
 
-/// What the checksum is called in an EXR table, with the name of its type and its length behind it.
+/// The checksum attribute of an EXR table: its name, its type, and its length.
 const EXR_CHECKSUM: &[u8] = b"lensbake.crc32\0int\0\x04\0\0\0";
 const EXR_MAGIC: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
 
-/// The table in `file`; if all that is wrong is the checksum, it is put right, since no mutation would ever
-/// do so.
+/// The table in `file`. If only the checksum is wrong, it is corrected first, because no mutation would ever do
+/// so.
 pub fn repaired(
     mut file: Vec<u8>,
     read: impl Fn(&[u8]) -> Result<Table, Problem>,
@@ -48,10 +48,10 @@ pub fn one_line(message: &impl ToString) {
     assert_eq!(message.lines().count(), 1, "{message:?}");
 }
 
-/// Asks a table for rows and the rows for rays, as the programs do.
+/// Looks up rows and rays in a table, as the programs do.
 ///
 /// # Panics
-/// If an answer is no number: a finding.
+/// If a result is NaN: a finding.
 pub fn exercise_table(table: &Table) {
     let header = table.header();
     for field in header.fields() {
@@ -69,8 +69,8 @@ pub fn exercise_table(table: &Table) {
         let Ok(row) = table.row(observer) else {
             continue;
         };
-        for at in edge_coordinates() {
-            if let Fate::Escapes(bend) = row.bend(at) {
+        for at in shadow_coordinates() {
+            if let RayOutcome::Escapes(bend) = row.bend(at) {
                 assert!(!bend.is_nan(), "{header:?} at {at:?}");
             }
             std::hint::black_box(row.bend_and_slope(at));
@@ -84,24 +84,24 @@ pub fn exercise_table(table: &Table) {
     }
 }
 
-/// From the edge of the shadow to straight away.
-fn edge_coordinates() -> impl Iterator<Item = EdgeCoordinate> {
+/// Normalised shadow coordinates from the shadow's edge to the direction away from the hole.
+fn shadow_coordinates() -> impl Iterator<Item = ShadowCoordinate> {
     let near_edge =
-        [0.0, f64::MIN_POSITIVE, 1e-300, 1e-16, 1e-9].map(|one_minus_x| EdgeCoordinate {
+        [0.0, f64::MIN_POSITIVE, 1e-300, 1e-16, 1e-9].map(|one_minus_x| ShadowCoordinate {
             x: 1.0 - one_minus_x,
             one_minus_x,
         });
-    let rest = [1.0 - 1e-6, 0.9, 0.5, 0.1, 1e-9, 1e-300, 0.0].map(|x| EdgeCoordinate {
+    let rest = [1.0 - 1e-6, 0.9, 0.5, 0.1, 1e-9, 1e-300, 0.0].map(|x| ShadowCoordinate {
         x,
         one_minus_x: 1.0 - x,
     });
     near_edge.into_iter().chain(rest)
 }
 
-/// Makes the stars of a catalogue ready to be drawn.
+/// Prepares the stars of a catalogue for drawing.
 ///
 /// # Panics
-/// If one has no direction or no light: a finding.
+/// If a star's direction is not a unit vector, or its light is not finite and at least 0: a finding.
 pub fn exercise_stars(catalogue: &Catalogue) {
     for stops in [0.0, -32.0, 32.0] {
         for star in StarField::new(catalogue, stops).stars {

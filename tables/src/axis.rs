@@ -1,43 +1,46 @@
-//! The axes along which a row may be tabulated: the map from the edge coordinate to the texels, its
-//! inverse beside it, and what is stored there.
+//! The axes along which a row may be tabulated: the map from the normalised shadow coordinate x to the position q
+//! along the row, its inverse, and the value that is stored at q.
 //!
-//! The bending diverges at the shadow's edge (x = 1). With d = 1 − x and C = cos θ_c, at every r,
+//! The bending Δ (deflection angle) diverges at the shadow boundary (x = 1). With d = 1 − x and C = cos θ_c, at
+//! every r,
 //!
 //! ```text
 //! Δ = −(1 + (5/18) C d + O(d²)) ln d + a smooth function of d
 //! ```
 //!
-//! (r = ∞: Iyer & Petters 2007, Gen. Rel. Grav. 39, 1563). The residual axis stores what is left when
-//! the logarithms are taken away, and measures q = √(1−√x): q² ∝ d at the edge, and x ∝ (1−q)²
-//! straight away, where a distant observer's row has a layer as narrow as his shadow.
-//! Against s = √(1−x) with the leading logarithm alone, both changes together take the error of 64
-//! texels for r = ∞ from 7e-6 to 2e-8 rad (`docs/chart.md`).
+//! (r = ∞: Iyer & Petters 2007, Gen. Rel. Grav. 39, 1563). The residual axis stores the bending without the
+//! logarithms, at positions q = √(1−√x): q² ∝ d at the shadow boundary, and x ∝ (1−q)² straight away from the
+//! hole, where the row of a distant observer has a layer as narrow as the observer's shadow. Compared with
+//! s = √(1−x) and the leading logarithm alone, both changes together reduce the error of 64 texels for r = ∞ from
+//! 7e-6 to 2e-8 rad (`docs/chart.md`).
 
 use crate::TableError;
-use lensbake_core::{B_CRIT, BendAndSlope, EdgeCoordinate, Observer};
+use lensbake_core::{B_CRIT, BendAndSlope, Observer, ShadowCoordinate};
+#[cfg(feature = "files")]
 use serde::{Deserialize, Serialize};
 
 /// The axis of a row. The position q runs from 0 at the first texel to 1 at the last.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "files", derive(Serialize, Deserialize))]
 pub enum Axis {
-    /// q = √(1−√x), holding the residual R = Δ + (1 + (5/18) C d) ln d, which is bounded and smooth.
-    /// Serves every observer, all of x.
+    /// q = √(1−√x); stores the residual R = Δ + (1 + (5/18) C d) ln d, which is bounded and smooth. For every
+    /// observer and every x outside the shadow.
     Residual,
-    /// Uniform in b, holding Δφ. Observer at infinity.
+    /// Uniform in b; stores Δφ. For the observer at infinity only.
     UniformB {
         /// b at the first texel, > b_c.
         b_min: f64,
         /// b at the last texel.
         b_max: f64,
     },
-    /// Uniform in 1/b, holding Δφ; b_min at the first texel. Observer at infinity.
+    /// Uniform in 1/b, with b_min at the first texel; stores Δφ. For the observer at infinity only.
     UniformInverseB {
         /// b at the first texel, > b_c.
         b_min: f64,
         /// b at the last texel.
         b_max: f64,
     },
-    /// Uniform in ln(b/b_c − 1), holding Δφ. Observer at infinity.
+    /// Uniform in ln(b/b_c − 1); stores Δφ. For the observer at infinity only.
     UniformLogB {
         /// b at the first texel, > b_c.
         b_min: f64,
@@ -46,17 +49,17 @@ pub enum Axis {
     },
 }
 
-/// What a row holds at a position q along its axis.
+/// The value that a row stores at a position q along its axis, and its slope.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stored {
     /// The value, rad.
     pub value: f64,
-    /// Its derivative by q.
+    /// Its derivative with respect to q.
     pub slope: f64,
 }
 
 impl Axis {
-    /// The axis' name as the command line and the files have it.
+    /// Name of the axis on the command line and in files.
     pub fn name(&self) -> &'static str {
         match self {
             Axis::Residual => "residual",
@@ -66,7 +69,7 @@ impl Axis {
         }
     }
 
-    /// The range of b of the naive axes, which cannot hold all of it.
+    /// The range (b_min, b_max) of an axis in b; `None` for the residual axis, which has no such limits.
     pub fn b_range(&self) -> Option<(f64, f64)> {
         match *self {
             Axis::Residual => None,
@@ -76,12 +79,12 @@ impl Axis {
         }
     }
 
-    /// Checks that the ray at `at` lies within the range of the axis. Captured rays always do.
+    /// Checks that the ray at `at` lies within the range of the axis. Captured rays always pass.
     ///
     /// # Errors
-    /// [`TableError::OutsideAxis`] if its impact parameter is outside the range of an axis in b, by more
-    /// than the rounding of b.
-    pub fn check_reach(&self, at: EdgeCoordinate) -> Result<(), TableError> {
+    /// [`TableError::OutsideAxis`] if its impact parameter is outside the range of an axis in b, by more than the
+    /// rounding of b.
+    pub fn check_reach(&self, at: ShadowCoordinate) -> Result<(), TableError> {
         const ROUNDING: f64 = 1e-12;
         let Some((b_min, b_max)) = self.b_range() else {
             return Ok(());
@@ -95,10 +98,10 @@ impl Axis {
         }
     }
 
-    /// Position q of an edge coordinate outside the shadow; beyond 0 … 1 where the axis does not
-    /// reach, which a lookup clamps as a texture does.
+    /// Position q of a normalised shadow coordinate outside the shadow. It is below 0 or above 1 beyond the range
+    /// of the axis; a lookup clamps it, as a texture does.
     #[inline]
-    pub fn position(&self, at: EdgeCoordinate) -> f64 {
+    pub fn position(&self, at: ShadowCoordinate) -> f64 {
         let between = |value: f64, first: f64, last: f64| (value - first) / (last - first);
         match *self {
             Axis::Residual => (at.one_minus_x / (1.0 + at.x.sqrt())).sqrt(),
@@ -113,23 +116,23 @@ impl Axis {
     }
 
     /// The inverse of [`Axis::position`], for q in [0, 1].
-    pub fn coordinate(&self, q: f64) -> EdgeCoordinate {
+    pub fn coordinate(&self, q: f64) -> ShadowCoordinate {
         let between = |first: f64, last: f64| first + q * (last - first);
         match *self {
             Axis::Residual => {
                 let root = (1.0 - q) * (1.0 + q);
-                EdgeCoordinate {
+                ShadowCoordinate {
                     x: root * root,
                     one_minus_x: q * q * (1.0 + root),
                 }
             }
-            Axis::UniformB { b_min, b_max } => EdgeCoordinate::from_b(between(b_min, b_max)),
+            Axis::UniformB { b_min, b_max } => ShadowCoordinate::from_b(between(b_min, b_max)),
             Axis::UniformInverseB { b_min, b_max } => {
-                EdgeCoordinate::from_b(1.0 / between(1.0 / b_min, 1.0 / b_max))
+                ShadowCoordinate::from_b(1.0 / between(1.0 / b_min, 1.0 / b_max))
             }
             Axis::UniformLogB { b_min, b_max } => {
                 let excess = between(log_excess(b_min), log_excess(b_max)).exp();
-                EdgeCoordinate {
+                ShadowCoordinate {
                     x: 1.0 / (1.0 + excess),
                     one_minus_x: excess / (1.0 + excess),
                 }
@@ -150,8 +153,8 @@ impl Axis {
         }
     }
 
-    /// What the texels of `observer` hold of a bending at the position q (> 0 for the residual, whose
-    /// value at q = 0 is a limit).
+    /// The value and slope that are stored at the position q for the given bending of `observer`. On the residual
+    /// axis q must be > 0, because the value at q = 0 is a limit.
     pub fn stored(&self, observer: &Observer, q: f64, bending: BendAndSlope) -> Stored {
         let logarithm = self.logarithm(observer, self.coordinate(q));
         Stored {
@@ -160,11 +163,16 @@ impl Axis {
         }
     }
 
-    /// The inverse of [`Axis::stored`]: the bending and dΔ/dx from what the texels hold.
-    pub fn bending(&self, observer: &Observer, at: EdgeCoordinate, stored: Stored) -> BendAndSlope {
+    /// The inverse of [`Axis::stored`]: the bending and dΔ/dx from the stored value and slope.
+    pub fn bending(
+        &self,
+        observer: &Observer,
+        at: ShadowCoordinate,
+        stored: Stored,
+    ) -> BendAndSlope {
         let logarithm = self.logarithm(observer, at);
         let q = self.position(at).clamp(0.0, 1.0);
-        // dx/dq = 0 straight away from the hole, where the stored slope is 0 as well.
+        // dx/dq = 0 straight away from the hole, where the stored slope is 0 as well: the bound avoids 0/0.
         let dx_dq = self.coordinate_slope(q).min(-1e-9);
         BendAndSlope {
             bend: stored.value + logarithm.bend,
@@ -172,15 +180,16 @@ impl Axis {
         }
     }
 
-    /// The bending alone from the stored value, rad: [`Axis::bending`] without its slope.
+    /// The bending Δ from the stored value, rad: [`Axis::bending`] without the slope.
     #[inline]
-    pub fn bend(&self, observer: &Observer, at: EdgeCoordinate, value: f64) -> f64 {
+    pub fn bend(&self, observer: &Observer, at: ShadowCoordinate, value: f64) -> f64 {
         value + self.logarithm(observer, at).bend
     }
 
-    /// The part of the bending that the axis takes away before storing, and its derivative by x.
+    /// The logarithmic part of the bending, which the residual axis subtracts before storing, and its derivative
+    /// with respect to x; zero for the other axes.
     #[inline]
-    fn logarithm(&self, observer: &Observer, at: EdgeCoordinate) -> BendAndSlope {
+    fn logarithm(&self, observer: &Observer, at: ShadowCoordinate) -> BendAndSlope {
         if *self != Axis::Residual {
             return BendAndSlope {
                 bend: 0.0,
@@ -196,15 +205,15 @@ impl Axis {
     }
 }
 
-/// (5/18) cos θ_c, the weight of d ln d beside ln d.
+/// (5/18) cos θ_c, the coefficient of d ln d relative to that of ln d.
 #[inline]
 pub fn log_weight(observer: &Observer) -> f64 {
-    5.0 / 18.0 * observer.cos_edge()
+    5.0 / 18.0 * observer.cos_shadow()
 }
 
-/// ln(b/b_c − 1), right to the last b beside b_c.
+/// ln(b/b_c − 1), accurate even at the f64 values of b next to b_c.
 fn log_excess(b: f64) -> f64 {
-    let at = EdgeCoordinate::from_b(b);
+    let at = ShadowCoordinate::from_b(b);
     (at.one_minus_x / at.x).ln()
 }
 
@@ -260,7 +269,7 @@ mod tests {
         for axis in axes() {
             for i in 1..20 {
                 let q = f64::from(i) / 20.0;
-                let far = Observer::far();
+                let far = Observer::at_infinity();
                 let stored = axis.stored(&far, q, bend);
                 let back = axis.bending(&far, axis.coordinate(q), stored);
                 assert!((back.bend - bend.bend).abs() < 1e-12, "{axis:?} at {q}");

@@ -1,86 +1,88 @@
-use crate::output::OutputProblem;
+#[cfg(feature = "files")]
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// A table that cannot be, or cannot answer.
+/// Why a table is invalid or cannot answer a lookup.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum TableError {
-    /// A size outside what a table may have.
+    /// A size is outside the allowed range.
     #[error("{what} is {found}, but must be from {min} to {max}")]
     Size {
-        /// Which size.
+        /// Name of the size.
         what: &'static str,
-        /// What was found.
+        /// The value found.
         found: u64,
-        /// The least allowed.
+        /// Smallest value allowed.
         min: u64,
-        /// The most allowed.
+        /// Largest value allowed.
         max: u64,
     },
-    /// The number of texels is not what the header says.
+    /// The number of texels differs from the header's.
     #[error("holds {found} texels where its header says {expected}")]
     TexelCount {
-        /// texels × rows by the header.
+        /// Number of texels according to the header.
         expected: u64,
-        /// What is there.
+        /// Number of texels present.
         found: u64,
     },
-    /// A texel that is NaN or infinite.
+    /// A texel is NaN or infinite.
     #[error("texel {texel} of row {row} is not a finite number")]
     NotFinite {
-        /// Which row.
+        /// Index of the row.
         row: usize,
-        /// Which texel of the row.
+        /// Index of the texel in the row.
         texel: usize,
     },
-    /// A header field that makes no sense.
+    /// A header field has an invalid value.
     #[error("header field '{field}' is {found}: {expected}")]
     Field {
-        /// Which field.
+        /// Name of the field.
         field: String,
-        /// What was found.
+        /// The value found.
         found: String,
-        /// What it should be.
+        /// What a valid value is.
         expected: &'static str,
     },
-    /// The table's axis does not reach so far.
+    /// The impact parameter is outside the range of the table's axis.
     #[error(
         "the table holds impact parameters from {b_min} to {b_max} only, not {b}; use a table on the \
          residual axis, or bake one with another --b-min and --b-max"
     )]
     OutsideAxis {
-        /// What was asked for.
+        /// The impact parameter asked for.
         b: f64,
-        /// The least that the table holds.
+        /// Smallest impact parameter in the table.
         b_min: f64,
-        /// The greatest.
+        /// Largest impact parameter in the table.
         b_max: f64,
     },
-    /// The table holds one observer only, and it is another.
+    /// The table holds only the row of another observer.
     #[error(
         "the table holds the row of the observer at r = {holds} only, not at r = {asked}; use the \
          atlas, or bake a row with `bake --observer {asked}`"
     )]
     OtherObserver {
-        /// The observer's radius the table holds.
+        /// Radius of the observer whose row the table holds.
         holds: f64,
         /// The radius asked for.
         asked: f64,
     },
 }
 
-/// A table file that cannot be read or written.
+/// A table file that cannot be read, or a path whose extension is not that of a container.
+#[cfg(feature = "files")]
 #[derive(Debug, Error)]
 #[error("{}: {problem}", path.display())]
 pub struct ContainerError {
-    /// The file.
+    /// Path of the file.
     pub path: PathBuf,
     /// What is wrong with it.
     pub problem: Problem,
 }
 
+#[cfg(feature = "files")]
 impl ContainerError {
-    /// What is wrong with the table file at `path`.
+    /// The error for `problem` in the table file at `path`.
     pub fn new(path: &Path, problem: Problem) -> Self {
         ContainerError {
             path: path.to_owned(),
@@ -90,64 +92,62 @@ impl ContainerError {
 }
 
 /// What is wrong with a table file.
+#[cfg(feature = "files")]
 #[derive(Debug, Error)]
 pub enum Problem {
-    /// The operating system says no.
+    /// The operating system reports an error.
     #[error("{0}")]
     Io(#[from] std::io::Error),
-    /// Neither container.
+    /// The content is that of neither container.
     #[error("not a bending table: neither a lensbake binary file nor an OpenEXR file")]
     NotATable,
-    /// The file's ending names no container.
+    /// The file's extension is neither `.lbt` nor `.exr`.
     #[error("the file's ending must be .lbt (binary) or .exr (OpenEXR)")]
     Ending,
-    /// Too short, or too long.
+    /// The file is shorter or longer than its header says.
     #[error("is {found} bytes long where its header asks for {expected}: truncated or damaged")]
     Length {
-        /// By the header.
+        /// Bytes according to the header.
         expected: u64,
-        /// By the file system.
+        /// Bytes in the file.
         found: u64,
     },
-    /// It cannot be written.
-    #[error(transparent)]
-    Output(#[from] OutputProblem),
-    /// Larger than any table.
+    /// The file is larger than any table.
     #[error("is longer than {max} bytes; no bending table is larger")]
     TooLarge {
-        /// The most allowed.
+        /// Largest value allowed.
         max: u64,
     },
-    /// Another version of the format.
+    /// The file has another version of the format.
     #[error(
         "is of table format version {found}; this program reads version {known}: bake it again"
     )]
     Version {
-        /// In the file.
+        /// Version of the file.
         found: i64,
-        /// Read by this program.
+        /// Version that this program reads.
         known: u32,
     },
-    /// The checksum does not fit.
+    /// The checksum does not match.
     #[error("checksum {found:08x} where {expected:08x} is stored: the file is damaged")]
     Checksum {
-        /// As stored.
+        /// As stored in the file.
         expected: u32,
-        /// As computed.
+        /// As computed from the content.
         found: u32,
     },
     /// The binary header cannot be decoded.
     #[error("header cannot be decoded: {0}")]
     Header(String),
-    /// A header attribute is missing.
+    /// A header attribute is missing or has the wrong type.
     #[error(
         "has no attribute '{0}' of the kind a bending table has: not written by bake, or damaged"
     )]
     Missing(String),
-    /// The EXR layer cannot be decoded.
+    /// The OpenEXR layer cannot be decoded.
     #[error("not a readable OpenEXR table: {0}")]
     Exr(String),
-    /// Decoded, but no table.
+    /// The file was decoded, but its content is not a valid table.
     #[error("{0}")]
     Table(#[from] TableError),
 }

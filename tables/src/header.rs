@@ -1,26 +1,31 @@
-//! What a table says of itself.
+//! The header of a table: its axis and rows, how it was computed, and its measured error.
 
-use crate::{Axis, TableError, text};
+#[cfg(feature = "files")]
+use crate::text;
+use crate::{Axis, TableError};
 use lensbake_core::Observer;
+#[cfg(feature = "files")]
 use serde::{Deserialize, Serialize};
 
 /// The header of a table.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "files", derive(Serialize, Deserialize))]
 pub struct Header {
     /// The axis along a row.
     pub axis: Axis,
-    /// The observers the rows are for.
+    /// The observers that the rows are for.
     pub rows: Rows,
-    /// Texels of a row.
+    /// Number of texels per row.
     pub texels: u32,
     /// How the texels were computed.
     pub solver: Solver,
-    /// The error measured after the bake.
+    /// The error measured after baking.
     pub measured: Measured,
 }
 
 /// The observers that the rows are for.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "files", derive(Serialize, Deserialize))]
 pub enum Rows {
     /// One row, for the static observer at 1/r.
     One {
@@ -29,35 +34,37 @@ pub enum Rows {
     },
     /// Rows uniform in χ, 1/r = sin²χ, from χ = 0 (r = ∞) to π/2 (the horizon), both included.
     Chi {
-        /// How many rows, at least 4.
+        /// Number of rows, at least 4.
         count: u32,
     },
 }
 
 /// How the texels were computed.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "files", derive(Serialize, Deserialize))]
 pub struct Solver {
-    /// Its name: at most 4016 bytes of UTF-8.
+    /// Name of the solver: at most 4016 bytes of UTF-8.
     pub name: String,
-    /// The tolerance it was asked for, rad a radian of orbital angle.
+    /// The solver's tolerance, rad per radian of orbital angle.
     pub tolerance: f64,
 }
 
-/// The error of a table's f64 lookup against the closed form, off the nodes.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// The error of a table's f64 lookup relative to the closed form, measured between the nodes of the table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "files", derive(Serialize, Deserialize))]
 pub struct Measured {
-    /// The largest error, rad.
+    /// Largest error, rad.
     pub max_error: f64,
-    /// Over how many rays.
+    /// Number of rays measured.
     pub rays: u32,
-    /// The smallest radius among them.
+    /// Smallest radius of their observers.
     pub r_min: f64,
-    /// The edge coordinates reach up to 1 − x = this.
+    /// Smallest 1 − x of the rays: how close to the shadow boundary they come.
     pub edge_gap: f64,
 }
 
 impl Measured {
-    /// The stand-in before anything was measured.
+    /// Placeholder until the error has been measured.
     pub const NOTHING: Measured = Measured {
         max_error: 0.0,
         rays: 0,
@@ -66,7 +73,7 @@ impl Measured {
     };
 }
 
-/// A header field as the files and `bake inspect` show it.
+/// A header field as shown in files and by `bake inspect`.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Field {
     /// A count.
@@ -77,17 +84,18 @@ pub enum Field {
     Text(String),
 }
 
-/// Limits on what a header may ask for: 2¹⁶ texels, 2¹² rows, 2²² of both (32 MiB).
+/// Limits on the size of a table: texels per row (up to 2¹⁶), rows (up to 2¹²), and both together (up to 2²²
+/// texels, 32 MiB).
 const TEXELS: (u64, u64) = (4, 1 << 16);
 const ROWS: (u64, u64) = (4, 1 << 12);
-/// The most texels a table may have in all.
+/// Most texels that a table may have in all.
 pub(crate) const MAX_TEXELS: u64 = 1 << 22;
-/// The most bytes that a solver's name may have, so that every header fits into a binary file.
+/// Most bytes of a solver's name; this limit ensures that every header fits into a binary file.
 pub(crate) const MAX_SOLVER_NAME: usize = 4016;
 
 const UNITS: &str = "r_s = 1 (2GM = 1), c = 1; angles and texels in radians";
 
-/// Checks that a row may have so many texels.
+/// Checks that a row may have this number of texels.
 pub(crate) fn check_texels(texels: u32) -> Result<(), TableError> {
     in_range("the number of texels in a row", texels.into(), TEXELS)
 }
@@ -101,7 +109,7 @@ impl Header {
         }
     }
 
-    /// texels × rows.
+    /// Number of texels in all: texels per row × rows.
     pub fn texel_count(&self) -> u64 {
         u64::from(self.texels) * u64::from(self.row_count())
     }
@@ -113,7 +121,7 @@ impl Header {
                 f64::from(index) / f64::from(count - 1) * std::f64::consts::FRAC_PI_2,
             ),
             Rows::One { inverse_radius } => {
-                Observer::at(1.0 / inverse_radius).unwrap_or_else(|_| Observer::far())
+                Observer::at(1.0 / inverse_radius).unwrap_or_else(|_| Observer::at_infinity())
             }
         }
     }
@@ -169,7 +177,7 @@ impl Header {
         Ok(())
     }
 
-    /// The header as named fields, in the order of `from_fields`; the EXR attributes.
+    /// The header as named fields, which become the attributes of an OpenEXR file.
     pub fn fields(&self) -> Vec<(&'static str, Field)> {
         let text = |s: &str| Field::Text(s.to_owned());
         let mut fields = vec![
@@ -204,7 +212,7 @@ impl Header {
         fields
     }
 
-    /// The rays that a lookup answers for, in words.
+    /// Description of the rays that a lookup can answer.
     fn domain(&self) -> String {
         let observers = match self.rows {
             Rows::Chi { .. } => "1 < r <= infinity".to_owned(),
@@ -224,8 +232,10 @@ impl Header {
     /// The inverse of [`Header::fields`]; `get` finds a field by name.
     ///
     /// # Errors
-    /// The name of the first field that is missing or of the wrong kind, or what it should hold.
-    pub fn from_fields(get: impl Fn(&str) -> Option<Field>) -> Result<Self, FieldError> {
+    /// [`FieldError::Missing`] for the first field that is missing or of the wrong type, [`FieldError::Bad`] for
+    /// an invalid value.
+    #[cfg(feature = "files")]
+    pub(crate) fn from_fields(get: impl Fn(&str) -> Option<Field>) -> Result<Self, FieldError> {
         let missing = |name: &str| FieldError::Missing(name.to_owned());
         let count = |name| match get(name) {
             Some(Field::Count(n)) => Ok(n),
@@ -289,12 +299,13 @@ impl Header {
     }
 }
 
-/// Why fields make no header.
+/// Why fields do not form a header.
+#[cfg(feature = "files")]
 #[derive(Debug, Clone, PartialEq)]
-pub enum FieldError {
-    /// A field is missing or of the wrong kind.
+pub(crate) enum FieldError {
+    /// A field is missing or of the wrong type.
     Missing(String),
-    /// A field holds what it may not.
+    /// A field has an invalid value.
     Bad(TableError),
 }
 

@@ -1,18 +1,19 @@
-//! How a lookup reads between two texels.
+//! Interpolation between the texels of a row.
 
 use crate::axis::Stored;
+use std::ops::{Add, Mul, Sub};
 
-/// How a lookup reads between two texels. Ordered by what it costs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+/// Interpolation between two texels. The variants are ordered by cost.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Interpolation {
-    /// Along the chord. Reads the values only; the error falls as 1/texels².
+    /// Linear. Uses the values only; the error falls as 1/texels².
     Linear,
-    /// Along the cubic that has the values and the slopes of both. The error falls as 1/texels⁴.
+    /// Cubic Hermite. Uses the values and the slopes of both texels; the error falls as 1/texels⁴.
     Hermite,
 }
 
 impl Interpolation {
-    /// Its name as programs print it.
+    /// Name for display.
     pub fn name(self) -> &'static str {
         match self {
             Interpolation::Linear => "linear",
@@ -20,7 +21,7 @@ impl Interpolation {
         }
     }
 
-    /// The function of `lookup.wgsl` that does it.
+    /// Name of its function in `lookup.wgsl`.
     pub fn wgsl_function(self) -> &'static str {
         match self {
             Interpolation::Linear => "linear",
@@ -28,7 +29,7 @@ impl Interpolation {
         }
     }
 
-    /// Bytes of a texel on the GPU: the value, and the slope where it is read.
+    /// Bytes of a texel on a GPU: the value, and the slope if the interpolation uses it.
     pub fn texel_bytes(self) -> usize {
         match self {
             Interpolation::Linear => size_of::<f32>(),
@@ -36,32 +37,54 @@ impl Interpolation {
         }
     }
 
-    /// The stored value and its derivative by q at `q` (clamped to 0 … 1), from at least two texels
-    /// of value and slope a texel.
+    /// The stored value and its derivative with respect to q at `q` (clamped to [0, 1]). There must be at least
+    /// two texels; each is a value and its slope per texel.
     #[inline]
     pub(crate) fn between(self, texels: &[[f64; 2]], q: f64) -> Stored {
         let last = texels.len() - 1;
         let position = q.clamp(0.0, 1.0) * last as f64;
         let i = (position as usize).min(last - 1);
         let t = position - i as f64;
-        let ([a, slope_a], [b, slope_b]) = (texels[i], texels[i + 1]);
-        let rise = b - a;
-        let (value, slope) = match self {
-            Interpolation::Linear => (a + t * rise, rise),
-            Interpolation::Hermite => {
-                let c2 = 3.0 * rise - 2.0 * slope_a - slope_b;
-                let c3 = slope_a + slope_b - 2.0 * rise;
-                (
-                    a + t * (slope_a + t * (c2 + t * c3)),
-                    slope_a + t * (2.0 * c2 + t * 3.0 * c3),
-                )
-            }
+        let [value, slope] = match self {
+            Interpolation::Linear => chord(texels[i], texels[i + 1], t),
+            Interpolation::Hermite => cubic(texels[i], texels[i + 1], t),
         };
         Stored {
             value,
             slope: slope * last as f64,
         }
     }
+}
+
+/// A number type that the interpolations compute with: `f32` as on a GPU, `f64` for the reference.
+pub trait Real:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + From<u8>
+{
+}
+
+impl Real for f32 {}
+impl Real for f64 {}
+
+/// Linear interpolation between the values of the texels `a` (at t = 0) and `b` (at t = 1): the value and its
+/// derivative at `t`.
+#[inline]
+pub fn chord<T: Real>([a, _]: [T; 2], [b, _]: [T; 2], t: T) -> [T; 2] {
+    let rise = b - a;
+    [a + t * rise, rise]
+}
+
+/// Cubic Hermite interpolation between the values and slopes of the texels `a` (at t = 0) and `b` (at t = 1): the
+/// value and its derivative at `t`.
+#[inline]
+pub fn cubic<T: Real>([a, slope_a]: [T; 2], [b, slope_b]: [T; 2], t: T) -> [T; 2] {
+    let (two, three) = (T::from(2), T::from(3));
+    let rise = b - a;
+    let c2 = three * rise - two * slope_a - slope_b;
+    let c3 = slope_a + slope_b - two * rise;
+    [
+        a + t * (slope_a + t * (c2 + t * c3)),
+        slope_a + t * (two * c2 + t * three * c3),
+    ]
 }
 
 #[cfg(test)]

@@ -1,15 +1,15 @@
-//! A panic of somebody else's decoder, turned into an error without a word on standard error.
+//! Turns a panic in a third-party decoder into an error, without printing to standard error.
 
 use std::cell::Cell;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Once;
 
 thread_local! {
-    /// Whether this thread is inside of a decoder.
+    /// Whether this thread is inside a decoder.
     static DECODING: Cell<bool> = const { Cell::new(false) };
 }
 
-/// What `decode` returns, or `None` if it panics. It must not start work on other threads: a panic there
+/// The result of `decode`, or `None` if it panics. `decode` must not start work on other threads: a panic there
 /// would end the program.
 pub fn caught<T>(decode: impl FnOnce() -> T) -> Option<T> {
     silence_decoders();

@@ -1,11 +1,12 @@
-//! The row of one observer: the lookup in f64, the reference that the GPU's is held to.
+//! The row of one observer: the lookup in f64, which is the reference for the lookup on a GPU.
 
 use crate::axis::{Axis, Stored};
 use crate::header::check_texels;
+use crate::lookup::RowShape;
 use crate::{Interpolation, TableError, Texel};
-use lensbake_core::{BendAndSlope, EdgeCoordinate, Fate, Observer};
+use lensbake_core::{BendAndSlope, Observer, RayOutcome, ShadowCoordinate};
 
-/// One observer's row.
+/// The row of one observer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
     axis: Axis,
@@ -24,11 +25,11 @@ impl Row {
         }
     }
 
-    /// The same row with another number of texels, read by `interpolation`: each new texel is looked
-    /// up in this row.
+    /// The row resampled to another number of texels, to be read with `interpolation`. Each new texel is looked up
+    /// in this row.
     ///
     /// # Errors
-    /// [`TableError::Size`] if a table could not have so many texels in a row.
+    /// [`TableError::Size`] if a row cannot have this number of texels.
     pub fn resampled(&self, texels: u32, interpolation: Interpolation) -> Result<Self, TableError> {
         check_texels(texels)?;
         let last = f64::from(texels - 1);
@@ -43,7 +44,7 @@ impl Row {
         })
     }
 
-    /// Whose row it is.
+    /// The observer that the row is for.
     pub fn observer(&self) -> &Observer {
         &self.observer
     }
@@ -58,12 +59,20 @@ impl Row {
         self.texels.len() as u32
     }
 
-    /// How it is read between two texels: Hermite unless it was resampled otherwise.
+    /// Interpolation between texels: Hermite unless the row was resampled with another.
     pub fn interpolation(&self) -> Interpolation {
         self.interpolation
     }
 
-    /// Bytes of the row on a GPU.
+    /// The shape that a shader must be specialised for in order to look up this row.
+    pub fn shape(&self) -> RowShape {
+        RowShape {
+            texels: self.texel_count(),
+            interpolation: self.interpolation,
+        }
+    }
+
+    /// Size of the row on a GPU in bytes.
     pub fn gpu_bytes(&self) -> usize {
         self.texels.len() * self.interpolation.texel_bytes()
     }
@@ -76,29 +85,29 @@ impl Row {
             .collect()
     }
 
-    /// The bending Δ at the edge coordinate `at`, rad.
+    /// The bending Δ (deflection angle) at the normalised shadow coordinate `at`, rad.
     #[inline]
-    pub fn bend(&self, at: EdgeCoordinate) -> Fate {
+    pub fn bend(&self, at: ShadowCoordinate) -> RayOutcome {
         if at.one_minus_x <= 0.0 {
-            return Fate::Captured;
+            return RayOutcome::Captured;
         }
         let stored = self.stored(self.axis.position(at));
-        Fate::Escapes(self.axis.bend(&self.observer, at, stored.value))
+        RayOutcome::Escapes(self.axis.bend(&self.observer, at, stored.value))
     }
 
-    /// The bending and dΔ/dx at the edge coordinate `at`.
-    pub fn bend_and_slope(&self, at: EdgeCoordinate) -> Fate<BendAndSlope> {
+    /// The bending Δ and dΔ/dx at the normalised shadow coordinate `at`.
+    pub fn bend_and_slope(&self, at: ShadowCoordinate) -> RayOutcome<BendAndSlope> {
         if at.one_minus_x <= 0.0 {
-            return Fate::Captured;
+            return RayOutcome::Captured;
         }
         if let (Axis::Residual, Some(bending)) = (self.axis, self.observer.bend_straight_away(at)) {
-            return Fate::Escapes(bending);
+            return RayOutcome::Escapes(bending);
         }
         let stored = self.stored(self.axis.position(at));
-        Fate::Escapes(self.axis.bending(&self.observer, at, stored))
+        RayOutcome::Escapes(self.axis.bending(&self.observer, at, stored))
     }
 
-    /// The stored value at the position q and its derivative by q.
+    /// The stored value at the position q and its derivative with respect to q.
     #[inline]
     fn stored(&self, q: f64) -> Stored {
         self.interpolation.between(&self.texels, q)

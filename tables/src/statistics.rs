@@ -1,21 +1,21 @@
-//! What a set of errors comes to: the one way in which all programs state it.
+//! Summary statistics of a set of errors, as all programs report them.
 
 use std::fmt;
 
-/// The size of a set of errors.
+/// Summary statistics of the absolute values of a set of errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ErrorStatistics {
-    /// The largest.
+    /// Largest error.
     pub max: f64,
-    /// The 99.9th percentile.
+    /// 99.9th percentile.
     pub p999: f64,
-    /// Root of the mean square.
+    /// Root mean square.
     pub rms: f64,
 }
 
 impl ErrorStatistics {
-    /// Of the given errors, whose signs do not matter. A NaN counts as the largest error there is.
-    /// `None` for no errors at all.
+    /// The statistics of `errors`; their signs do not matter. A NaN counts as an infinite error. `None` if there
+    /// are no errors.
     pub fn of(errors: impl IntoIterator<Item = f64>) -> Option<Self> {
         let mut sizes: Vec<f64> = errors
             .into_iter()

@@ -3,7 +3,7 @@
 use crate::{Header, Row, Rows, TableError};
 use lensbake_core::Observer;
 
-/// A texel: the stored value and its slope a texel, in rad.
+/// A texel: the stored value and its slope per texel, in rad.
 pub type Texel = [f32; 2];
 
 /// A bending table: its header and rows × texels of [`Texel`], row by row.
@@ -17,7 +17,7 @@ impl Table {
     /// A table of `texels`, array of shape `[rows][texels]`.
     ///
     /// # Errors
-    /// [`TableError`] if the header is invalid, the count is not the header's, or a texel is not
+    /// [`TableError`] if the header is invalid, the number of texels differs from the header's, or a texel is not
     /// finite.
     pub fn new(header: Header, texels: Vec<Texel>) -> Result<Self, TableError> {
         header.validate()?;
@@ -41,7 +41,7 @@ impl Table {
         &self.header
     }
 
-    /// The same table under another header of the same shape, as when its error has been measured.
+    /// The same table with another header of the same shape, for example with the measured error.
     ///
     /// # Errors
     /// As [`Table::new`].
@@ -54,7 +54,7 @@ impl Table {
         &self.texels
     }
 
-    /// Bytes of the texels.
+    /// Size of the texels in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(self.texels.as_slice())
     }
@@ -65,10 +65,10 @@ impl Table {
         &self.texels[index as usize * n..][..n]
     }
 
-    /// The row for `observer`: from the atlas, four rows mixed by Lagrange's polynomial in χ.
+    /// The row for `observer`. From the atlas it is interpolated in χ between four rows, by Lagrange's polynomial.
     ///
     /// # Errors
-    /// [`TableError::OtherObserver`] if the table holds one row and it is another's.
+    /// [`TableError::OtherObserver`] if the table holds only the row of another observer.
     pub fn row(&self, observer: Observer) -> Result<Row, TableError> {
         let mix = match self.header.rows {
             Rows::One { inverse_radius } => {
@@ -97,8 +97,8 @@ impl Table {
     }
 }
 
-/// The four rows about `chi` and their weights: Lagrange's cubic, one-sided in the first and the
-/// last gap.
+/// The four rows around `chi` and their weights in Lagrange's cubic polynomial, one-sided in the first and the
+/// last gap between rows.
 fn lagrange(chi: f64, count: u32) -> [(u32, f64); 4] {
     let position = chi / std::f64::consts::FRAC_PI_2 * f64::from(count - 1);
     let first = (position.floor() as u32).saturating_sub(1).min(count - 4);

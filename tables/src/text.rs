@@ -1,7 +1,6 @@
-//! Text out of a file, made fit to be shown: a file may hold any characters, also those that a terminal
-//! obeys.
+//! Makes text from a file safe to display: it may contain control characters that a terminal would obey.
 
-/// How much of a text a message repeats, in characters.
+/// Most characters of a text that a message quotes.
 const EXCERPT: usize = 40;
 
 /// `text` on one line: control characters are escaped as in Rust (`\n`, `\0`, `\u{1b}`).
@@ -17,7 +16,7 @@ pub fn on_one_line(text: &str) -> String {
     line
 }
 
-/// The beginning of `text` on one line, short enough for a message.
+/// The first 40 characters of `text` on one line, followed by `...` if it is longer.
 pub fn excerpt(text: &str) -> String {
     match text.char_indices().nth(EXCERPT) {
         None => on_one_line(text),

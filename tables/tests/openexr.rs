@@ -1,4 +1,4 @@
-//! The OpenEXR container: how its files are laid out, and that it holds whatever a table may hold.
+//! Tests of the OpenEXR container: the layout of its files, and that it preserves every valid table.
 
 use exr::meta::attribute::LineOrder;
 use exr::meta::{BlockDescription, MetaData};
@@ -8,7 +8,7 @@ use lensbake_tables::{
     ATLAS_EXR, Axis, Header, Measured, Rows, Solver, Table, TableError, Texel, default_atlas,
 };
 
-/// Names that a solver may have, from the empty one to the longest.
+/// Valid names of a solver, from the empty name to very long ones.
 fn names() -> Vec<String> {
     let mut names: Vec<String> = [
         "",
@@ -54,7 +54,7 @@ fn named(name: &str) -> Header {
     header
 }
 
-/// A table of random bits, which no encoding makes smaller and none but a lossless one keeps.
+/// A table of random bits: it cannot be compressed, and only a lossless encoding preserves it.
 fn noise(header: Header) -> Table {
     let mut rng = Rng::with_seed(1);
     let mut float = || {
@@ -71,9 +71,9 @@ fn noise(header: Header) -> Table {
     Table::new(header, texels).unwrap()
 }
 
-/// Checks that the OpenEXR file gives back the table to the bit: its binary file is the same.
+/// Checks that a table read back from an OpenEXR file is the same to the bit, by comparing binary files.
 #[track_caller]
-fn goes_there_and_back(table: &Table) {
+fn survives_a_round_trip(table: &Table) {
     let binary = Container::Binary.encode(table).unwrap();
     let from_binary = from_bytes(&binary).unwrap();
     let exr = Container::OpenExr.encode(&from_binary).unwrap();
@@ -85,7 +85,7 @@ fn goes_there_and_back(table: &Table) {
     );
 }
 
-/// Where the attribute `name` is in the header of an OpenEXR file: its type and value, in the file's order.
+/// The attributes in the header of an OpenEXR file, in the order of the file: name, and byte range of the value.
 fn attributes(file: &[u8]) -> Vec<(String, std::ops::Range<usize>)> {
     let mut found = Vec::new();
     let mut at = 8;
@@ -134,8 +134,8 @@ fn attributes_are_in_the_order_of_their_names() {
     }
 }
 
-/// `tiled.exr` was written before pictures were of scan lines: two tiles, lines in any order, and its
-/// solver's name in Latin-1. `tiled.lbt` is the same table.
+/// `tiled.exr` comes from a version that wrote tiles instead of scan lines: it has two tiles, lines in any order,
+/// and a solver's name in Latin-1. `tiled.lbt` holds the same table.
 #[test]
 fn tiled_files_of_earlier_versions_are_read() {
     let tiled = include_bytes!("files/tiled.exr");
@@ -152,14 +152,14 @@ fn tiled_files_of_earlier_versions_are_read() {
 #[test]
 fn a_solver_may_have_any_name() {
     for name in names() {
-        goes_there_and_back(&noise(named(&name)));
+        survives_a_round_trip(&noise(named(&name)));
     }
 }
 
 #[test]
 fn a_name_that_no_file_could_hold_is_refused_before_it_is_written() {
     let longest = "x".repeat(4016);
-    goes_there_and_back(&noise(named(&longest)));
+    survives_a_round_trip(&noise(named(&longest)));
     let (b_min, b_max) = (3.0, 4.0);
     let far = Rows::One {
         inverse_radius: 0.0,
@@ -167,7 +167,7 @@ fn a_name_that_no_file_could_hold_is_refused_before_it_is_written() {
     let mut longest_header = header(far, 8);
     longest_header.axis = Axis::UniformB { b_min, b_max };
     longest_header.solver.name = longest.clone();
-    goes_there_and_back(&noise(longest_header));
+    survives_a_round_trip(&noise(longest_header));
     let refused = Table::new(named(&(longest + "x")), vec![[0.0; 2]; 8]);
     assert!(matches!(refused, Err(TableError::Size { found: 4017, .. })));
 }
@@ -175,12 +175,12 @@ fn a_name_that_no_file_could_hold_is_refused_before_it_is_written() {
 #[test]
 fn the_largest_tables_go_there_and_back() {
     for (rows, texels) in [(64, 65_536), (4096, 1024)] {
-        goes_there_and_back(&noise(header(Rows::Chi { count: rows }, texels)));
+        survives_a_round_trip(&noise(header(Rows::Chi { count: rows }, texels)));
     }
 }
 
 #[test]
-fn numbers_that_are_none_go_there_and_back() {
+fn special_floats_survive_a_round_trip() {
     for number in [
         f64::NAN,
         -f64::NAN,
@@ -197,10 +197,10 @@ fn numbers_that_are_none_go_there_and_back() {
             r_min: number,
             edge_gap: number,
         };
-        goes_there_and_back(&noise(header));
+        survives_a_round_trip(&noise(header));
     }
     for inverse_radius in [0.0, -0.0, 5e-324, 1.0 - f64::EPSILON] {
-        goes_there_and_back(&noise(header(Rows::One { inverse_radius }, 4)));
+        survives_a_round_trip(&noise(header(Rows::One { inverse_radius }, 4)));
     }
 }
 
@@ -241,7 +241,7 @@ fn a_message_repeats_no_long_text_whole() {
         .unwrap();
     long[axis.start - 4..axis.start].copy_from_slice(&1_000_008_u32.to_le_bytes());
     long.splice(axis.end..axis.end, vec![b'x'; 1_000_000]);
-    // The chunks, of 16 lines each, have moved: their offsets follow the header.
+    // The chunks, of 16 lines each, have moved; their offsets, which follow the header, must change too.
     let header_end = attributes(&long).last().unwrap().1.end + 1;
     for chunk in 0..128 / 16 {
         let at = header_end + 8 * chunk..header_end + 8 * chunk + 8;

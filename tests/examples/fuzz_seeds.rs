@@ -1,15 +1,14 @@
-//! Writes the seeds of every fuzz target anew, into `fuzz/seeds`:
-//! `cargo run -p lensbake-tests --example fuzz_seeds`.
+//! Rewrites the seeds of every fuzz target in `fuzz/seeds`: `cargo run -p lensbake-tests --example fuzz_seeds`.
 
 use exr::prelude::{Blocks, Vec2};
 use image::{DynamicImage, ImageFormat, Rgb, Rgb32FImage, RgbImage};
+use lensbake_render::stars::{Catalogue, Star, to_bytes};
 use lensbake_tables::container::Container;
 use lensbake_tables::{Axis, Header, Measured, Rows, Solver, Table};
-use lensbake_tests::exr_files::{COMPRESSIONS, Samples, picture};
-use lensbake_tests::workspace;
+use lensbake_test_support::exr_files::{COMPRESSIONS, Samples, picture};
+use lensbake_test_support::workspace;
 use std::fs;
 use std::io::Cursor;
-use viewer::stars::{Catalogue, Star, to_bytes};
 
 fn main() {
     tables();

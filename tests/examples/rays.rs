@@ -1,30 +1,32 @@
-//! Random rays through the 32-bit lookup, in Rust and on the GPU at hand: `rays [MILLIONS [MILLIONS_ON_GPU]]`.
+//! Random rays through the 32-bit lookup, in Rust and on the GPU: `rays [MILLIONS [MILLIONS_ON_GPU]]`.
 //!
-//! All radii from 1 + 1e-6 to 1e6, a fifth of them crowding the horizon; half of the rays crowd the shadow's
-//! edge by decades, a quarter the two poles, the rest are spread evenly. Counted are numbers that are not
-//! finite, and rays of the wrong outcome, whose x lies on the other side of 1 than in f64: within one f32
-//! step of the edge, where cos θ, sin θ and x (2⁻²³) need move by one step at most; and beyond. Exit code 1
-//! for any that is not finite or wrong beyond.
+//! The radii are from 1 + 1e-6 to 1e6, a fifth of them concentrated at the horizon. Half of the rays are spread by
+//! decades about the shadow's edge (the critical curve), a quarter about the two poles, and the rest evenly.
+//!
+//! The example counts results that are not finite, and rays with the wrong ray outcome, that is with x on the
+//! other side of 1 than in f64. Of the latter, those within one f32 step of the edge are counted separately:
+//! there, moving cos θ, sin θ and x (by 2⁻²³) by one step at most changes the outcome. The exit code is 1 if any
+//! result is not finite, or any outcome is wrong beyond one step.
 
 use fastrand::Rng;
-use lensbake_core::{Fate, Observer};
-use lensbake_report::{Printer, message};
+use lensbake_core::{Observer, RayOutcome};
+use lensbake_program::{Printer, message};
+use lensbake_render::gpu::Gpu;
 use lensbake_tables::default_atlas;
-use lensbake_tables::lookup::{self, GpuRow, wgsl_row};
+use lensbake_tables::lookup::{self, GpuRow};
 use lensbake_tests::probe::{self, Bindings};
 use rayon::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::process::ExitCode;
-use viewer::gpu::Gpu;
 
-/// Rays from one observer.
+/// Rays per observer in Rust.
 const BATCH: usize = 100_000;
 const MILLION: usize = 1_000_000;
 
-/// A view direction as a lookup takes it: cos θ and sin θ.
+/// A view direction as the lookup takes it: cos θ and sin θ.
 type Direction = [f32; 2];
 
-/// What a lookup makes of a ray.
+/// The result of the lookup for a ray.
 #[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 struct Answer {
@@ -34,15 +36,15 @@ struct Answer {
     slope: f32,
 }
 
-/// What is counted over all rays.
+/// Counts over all rays.
 #[derive(Debug, Clone, Copy, Default)]
 struct Count {
     rays: u64,
     captured: u64,
     not_finite: u64,
-    /// Of the wrong outcome, within one f32 step of the edge.
+    /// Rays with the wrong outcome within one f32 step of the edge.
     at_edge: u64,
-    /// Of the wrong outcome, beyond that.
+    /// Rays with the wrong outcome beyond that.
     wrong: u64,
     /// The largest |1 − x| of a wrong outcome, in f32 steps.
     farthest: f64,
@@ -61,14 +63,14 @@ impl Count {
     }
 
     fn of(observer: &Observer, rays: &[Direction], answers: &[Answer]) -> Count {
-        let tan_half = observer.tan_half_edge();
+        let tan_half = observer.tan_half_shadow();
         let mut count = Count::default();
         for (&ray, answer) in rays.iter().zip(answers) {
             let captured = answer.captured == 1.0;
             count.rays += 1;
             count.captured += u64::from(captured);
             count.not_finite += u64::from(!(answer.bend.is_finite() && answer.slope.is_finite()));
-            let x = edge_coordinate(tan_half, ray);
+            let x = shadow_coordinate(tan_half, ray);
             if captured != (x >= 1.0) {
                 count.farthest = count
                     .farthest
@@ -95,7 +97,7 @@ impl Count {
 }
 
 /// x = tan(θ_c/2) cot(θ/2) of a direction, in f64.
-fn edge_coordinate(tan_half: f64, [c, p]: Direction) -> f64 {
+fn shadow_coordinate(tan_half: f64, [c, p]: Direction) -> f64 {
     let (c, p) = (f64::from(c), f64::from(p));
     let cot_half = if c >= 0.0 {
         (1.0 + c) / p
@@ -112,7 +114,7 @@ fn is_at_edge(tan_half: f64, [c, p]: Direction) -> bool {
     let step = f64::from(f32::EPSILON);
     let near = about(c)
         .into_iter()
-        .flat_map(|c| about(p).map(|p| edge_coordinate(tan_half, [c, p.max(0.0)])));
+        .flat_map(|c| about(p).map(|p| shadow_coordinate(tan_half, [c, p.max(0.0)])));
     let (least, most) = near.fold((f64::INFINITY, 0.0_f64), |(least, most), x| {
         (least.min(x), most.max(x))
     });
@@ -130,7 +132,7 @@ fn random_observer(rng: &mut Rng) -> Observer {
 }
 
 fn random_directions(observer: &Observer, rng: &mut Rng, count: usize) -> Vec<Direction> {
-    let edge = observer.edge_angle();
+    let edge = observer.shadow_angle();
     (0..count)
         .map(|_| {
             let decades = |rng: &mut Rng, most: f64| 10f64.powf(-most * rng.f64());
@@ -149,7 +151,7 @@ fn random_directions(observer: &Observer, rng: &mut Rng, count: usize) -> Vec<Di
         .collect()
 }
 
-/// One observer's rays and his row.
+/// An observer, its row of the atlas, and random rays.
 fn batch(seed: u64, count: usize) -> (Observer, GpuRow, Vec<Direction>) {
     let mut rng = Rng::with_seed(seed);
     let observer = random_observer(&mut rng);
@@ -173,12 +175,12 @@ fn in_rust(rays: usize) -> Count {
 
 fn answer(row: &GpuRow, c: f32, p: f32) -> Answer {
     match row.bending(c, p) {
-        Fate::Captured => Answer {
+        RayOutcome::Captured => Answer {
             captured: 1.0,
             bend: 0.0,
             slope: 0.0,
         },
-        Fate::Escapes(bending) => Answer {
+        RayOutcome::Escapes(bending) => Answer {
             captured: 0.0,
             bend: bending.bend,
             slope: bending.slope,
@@ -202,7 +204,7 @@ fn on_gpu(gpu: &Gpu, rays: usize) -> Count {
         let (observer, row, rays) = batch(1 << 40 | seed, MILLION);
         let edge = row.edge;
         let source = [
-            &wgsl_row(row.texels.len() as u32, row.interpolation, 0, 1),
+            &row.shape().wgsl(0, 1),
             lookup::WGSL,
             &format!(
                 "const TAN_HALF: f32 = {:e};\nconst LOG_WEIGHT: f32 = {:e};\n\

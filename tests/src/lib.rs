@@ -1,228 +1,61 @@
-//! What the cross-checks share: the real programs, and the GPU that must be there.
+//! Shared by the cross-checks: the GPU, and what is drawn or computed on it.
 
-mod damaged;
-#[cfg(target_os = "linux")]
-pub mod desktop;
-pub mod exr_files;
 pub mod probe;
 pub mod screen;
 pub mod stars;
-#[cfg(unix)]
-pub mod streams;
 
-pub use damaged::{Damaged, damaged_tables};
-pub use lensbake_tables::ATLAS_BINARY as ATLAS;
+use lensbake_render::camera::{Camera, View};
+use lensbake_render::gpu::{Gpu, Renderer, Trace};
+use lensbake_render::lens::{Deflection, Lens};
+use lensbake_render::picture::Picture;
+use lensbake_render::scene::Scene;
+use lensbake_tables::default_atlas;
+use pollster::block_on;
 
-use bake::baker::{Recipe, bake};
-use lensbake_tables::{Rows, Table};
-use std::ffi::OsStr;
-use std::io::Write;
-use std::path::Path;
-use std::process::{Command, Output, Stdio};
-use viewer::gpu::Gpu;
-
-/// One of the project's programs.
-#[derive(Debug, Clone, Copy)]
-pub struct Program {
-    path: &'static str,
-}
-
-/// What a program did.
-#[derive(Debug, Clone)]
-pub struct Run {
-    /// Its exit code.
-    pub code: i32,
-    /// Its standard output.
-    pub stdout: String,
-    /// Its standard error, without what graphics drivers print there.
-    pub stderr: String,
-}
-
-impl Program {
-    /// The program at `path`, which Cargo gives a package's own tests as `CARGO_BIN_EXE_…`.
-    pub const fn at(path: &'static str) -> Self {
-        Program { path }
-    }
-
-    /// Where it is.
-    pub fn path(&self) -> &'static str {
-        self.path
-    }
-
-    /// The program, to be started in a way of the test's own.
-    pub fn command(&self) -> Command {
-        Command::new(self.path)
-    }
-
-    /// Runs the program with `input` on its standard input.
-    ///
-    /// # Panics
-    /// If it does not start, or dies of a signal.
-    pub fn run_with<S: AsRef<OsStr>>(&self, args: &[S], input: &str) -> Run {
-        self.run_with_bytes(args, input.as_bytes())
-    }
-
-    /// Runs the program with `input`, text or not, on its standard input.
-    ///
-    /// # Panics
-    /// As [`Program::run_with`], and if its output is no text.
-    pub fn run_with_bytes<S: AsRef<OsStr>>(&self, args: &[S], input: &[u8]) -> Run {
-        let output = self.output(args, input);
-        let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
-        Run {
-            code: output.status.code().expect("ended by a signal"),
-            stdout: text(&output.stdout),
-            stderr: without_driver_lines(&text(&output.stderr)),
-        }
-    }
-
-    /// Runs the program, which must succeed, and returns what it wrote, text or not.
-    ///
-    /// # Panics
-    /// If it fails.
-    #[track_caller]
-    pub fn run_bytes<S: AsRef<OsStr>>(&self, args: &[S]) -> Output {
-        let output = self.output(args, b"");
-        assert!(output.status.success(), "{output:?}");
-        output
-    }
-
-    fn output<S: AsRef<OsStr>>(&self, args: &[S], input: &[u8]) -> Output {
-        let mut child = self
-            .command()
-            .args(args)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
-        let mut stdin = child.stdin.take().unwrap();
-        let input = input.to_owned();
-        // The program may stop reading early, so a broken pipe here is none of our business.
-        let feeder = std::thread::spawn(move || stdin.write_all(&input).is_ok());
-        let output = child.wait_with_output().unwrap();
-        feeder.join().unwrap();
-        output
-    }
-
-    /// Runs the program without input and with 1 GiB of address space, so that an allocation on a file's
-    /// word ends it with a signal.
-    ///
-    /// # Panics
-    /// As [`Program::run_with`].
-    #[cfg(unix)]
-    pub fn run_in_little_memory(&self, args: &[&str]) -> Run {
-        const LIMITED: &str = "ulimit -v 1048576 && exec \"$0\" \"$@\"";
-        let shell = Program::at("/bin/sh");
-        shell.run(&[&["-c", LIMITED, self.path], args].concat())
-    }
-
-    /// Runs the program without input.
-    ///
-    /// # Panics
-    /// As [`Program::run_with`].
-    pub fn run<S: AsRef<OsStr>>(&self, args: &[S]) -> Run {
-        self.run_with(args, "")
-    }
-}
-
-/// `text` without the lines that graphics drivers print.
-fn without_driver_lines(text: &str) -> String {
-    text.lines()
-        .filter(|line| !line.contains("XDG_RUNTIME_DIR"))
-        .map(|line| line.to_owned() + "\n")
-        .collect()
-}
-
-/// The workspace's folder.
-pub fn workspace() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()
-}
-
-/// The GPU, software or not.
+/// The GPU, hardware or software.
 ///
 /// # Panics
-/// Without one: nothing skips quietly. `--features no-gpu` makes the tests that call this visible
-/// ignored ones.
+/// If there is no GPU: no test is skipped silently. With `--features no-gpu` the tests that call this are listed
+/// as ignored.
 pub fn gpu() -> Gpu {
-    Gpu::open().unwrap_or_else(|e| {
-        panic!("{e}; or test with --features lensbake-tests/no-gpu,viewer/no-gpu")
+    block_on(Gpu::open()).unwrap_or_else(|e| {
+        panic!("{e}; or test with --features lensbake-render/no-gpu,lensbake-tests/no-gpu,viewer/no-gpu")
     })
 }
 
-impl Run {
-    /// The run again, if the program says that all is done.
-    ///
-    /// # Panics
-    /// If its exit code is not 0.
-    #[track_caller]
-    pub fn succeeds(self) -> Self {
-        assert_eq!(self.code, 0, "{self:?}");
-        self
-    }
-
-    /// Checks that the program refused: exit code 2, nothing on standard output, and one line on
-    /// standard error with all of `words` in it.
-    ///
-    /// # Panics
-    /// If it did anything else.
-    #[track_caller]
-    pub fn refuses(self, words: &[&str]) {
-        assert_eq!(self.stderr.lines().count(), 1, "{self:?}");
-        self.refuses_after_messages(words);
-    }
-
-    /// Checks that the program refused as [`Run::refuses`] says, but after it had said what it did.
-    ///
-    /// # Panics
-    /// If it did anything else.
-    #[track_caller]
-    pub fn refuses_after_messages(self, words: &[&str]) {
-        assert_eq!(self.code, 2, "{self:?}");
-        assert_eq!(self.stdout, "", "{self:?}");
-        for word in words {
-            assert!(
-                self.stderr.contains(word),
-                "no '{word}' in: {}",
-                self.stderr
-            );
-        }
-        assert!(!self.stderr.contains("panicked"), "{self:?}");
-    }
+/// A renderer on [`gpu`].
+pub fn renderer() -> Renderer {
+    Renderer::new(&gpu())
 }
 
-/// A freshly baked table of one row, for the static observer at `radius`.
+/// The lens of a view, with the built-in atlas.
 ///
 /// # Panics
-/// If it does not bake.
-pub fn one_row(radius: f64) -> Table {
-    one_row_of(radius, Recipe::default().texels)
+/// If the view is not a valid camera.
+pub fn lens(view: &View, deflection: Deflection) -> Lens {
+    Lens::new(Camera::new(view).unwrap(), default_atlas(), deflection).unwrap()
 }
 
-/// A freshly baked table of one row of so many texels, for the static observer at `radius`.
+/// The picture of a scene as the GPU draws it.
 ///
 /// # Panics
-/// If it does not bake.
-pub fn one_row_of(radius: f64, texels: u32) -> Table {
-    let recipe = Recipe {
-        rows: Rows::One {
-            inverse_radius: 1.0 / radius,
-        },
-        texels,
-        ..Recipe::default()
-    };
-    bake(&recipe, || ()).unwrap()
+/// If the device fails.
+pub fn on_gpu(renderer: &Renderer, scene: &Scene) -> Picture {
+    block_on(renderer.picture(scene, |_| ())).unwrap()
 }
 
-/// A freshly baked atlas of every observer, so coarse that its error is seen.
+/// The ray outcome of each pixel, as the GPU computes it.
 ///
 /// # Panics
-/// If it does not bake.
-pub fn coarse_atlas() -> Table {
-    let recipe = Recipe {
-        rows: Rows::Chi { count: 8 },
-        texels: 8,
-        ..Recipe::default()
-    };
-    bake(&recipe, || ()).unwrap()
+/// If the device fails.
+pub fn trace_on_gpu(renderer: &Renderer, lens: &Lens) -> Trace {
+    block_on(renderer.trace(lens, |_| ())).unwrap()
 }
+
+/// The Rust code of the READMEs, compiled and run as documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+#[doc = include_str!("../../core/README.md")]
+#[doc = include_str!("../../tables/README.md")]
+#[doc = include_str!("../../render/README.md")]
+pub struct Readmes;

@@ -1,21 +1,24 @@
-//! Functions of WGSL, asked on a GPU for what they make of many questions.
+//! Probes of WGSL functions: evaluates them on a GPU for many inputs.
 
-use lensbake_tables::lookup::row_texture_size;
-use viewer::gpu::Gpu;
+use lensbake_render::gpu::Gpu;
+use lensbake_tables::Interpolation;
+use lensbake_tables::lookup::RowShape;
+use pollster::block_on;
 use wgpu::util::DeviceExt;
 use wgpu::*;
 
-/// Where a probe's entry point finds its questions and puts its answers: bindings of group 0.
+/// Bindings of group 0 that hold a probe's inputs (questions) and outputs (answers).
 #[derive(Debug, Clone, Copy)]
 pub struct Bindings {
     /// `var<storage, read>`, an array of questions.
     pub questions: u32,
-    /// `var<storage, read_write>`, an array of as many answers.
+    /// `var<storage, read_write>`, an array of one answer per question.
     pub answers: u32,
 }
 
-/// Runs the entry point `probe` of `source`, 64 invocations a workgroup, with an invocation for each of
-/// `questions`. A `row` of texels with slopes is bound to the binding given with it, as a texture that holds it line after line.
+/// Runs the entry point `probe` of `source` with one invocation per question, 64 invocations per workgroup. A
+/// `row` of texels with slopes is bound to the binding given with it, as a texture that holds the row wrapped into
+/// lines.
 ///
 /// # Panics
 /// If the device fails.
@@ -72,11 +75,15 @@ pub fn probe<Q: bytemuck::Pod, A: bytemuck::Pod>(
         pass.dispatch_workgroups((questions.len() as u32).div_ceil(64), 1, 1);
     }
     gpu.queue.submit([encoder.finish()]);
-    gpu.copy_back(&written, written.size()).unwrap()
+    block_on(gpu.copy_back(&written, written.size())).unwrap()
 }
 
 fn row_texture(gpu: &Gpu, texels: &[[f32; 2]]) -> TextureView {
-    let [width, height] = row_texture_size(texels.len() as u32);
+    let shape = RowShape {
+        texels: texels.len() as u32,
+        interpolation: Interpolation::Hermite,
+    };
+    let [width, height] = shape.texture_size();
     let mut lines = texels.to_vec();
     lines.resize((width * height) as usize, [0.0; 2]);
     let descriptor = TextureDescriptor {

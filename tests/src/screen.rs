@@ -1,16 +1,21 @@
-//! What a window would show of a live picture, without one.
+//! Draws what a window would show of the realtime renderer's picture, without a window.
 
-use viewer::gpu::{Edge, Gpu, Live, Presenter, Showing};
-use viewer::scene::Scene;
+use lensbake_render::camera::Camera;
+use lensbake_render::gpu::{EdgeMode, Gpu, Presentation, Presenter, RealtimeRenderer};
+use pollster::block_on;
 use wgpu::*;
 
-/// What a window of the size of `window`'s camera shows of the picture that `live` has drawn last, of
-/// `picture` pixels: `[height][width]`, 8-bit sRGB.
+/// What a window of the size of `camera` shows of the last picture of `live`, which has `picture` pixels:
+/// `[height][width]`, 8-bit sRGB.
 ///
 /// # Panics
 /// If the device fails.
-pub fn on_screen(gpu: &Gpu, live: &Live, picture: [u32; 2], window: &Scene) -> Vec<[u8; 3]> {
-    let camera = &window.camera;
+pub fn on_screen(
+    gpu: &Gpu,
+    live: &RealtimeRenderer,
+    picture: [u32; 2],
+    camera: &Camera,
+) -> Vec<[u8; 3]> {
     let format = TextureFormat::Rgba8Unorm;
     let texture = gpu.device.create_texture(&TextureDescriptor {
         label: Some("screen"),
@@ -27,12 +32,12 @@ pub fn on_screen(gpu: &Gpu, live: &Live, picture: [u32; 2], window: &Scene) -> V
         view_formats: &[],
     });
     let mut presenter = Presenter::new(gpu, live, format);
-    let showing = Showing {
-        edge: Edge::AsDrawn,
+    let presentation = Presentation {
+        edge: EdgeMode::AsDrawn,
         divider: None,
         exposure: 0.0,
     };
-    presenter.show(picture, camera, showing);
+    presenter.show(picture, camera, presentation);
     let stride = (4 * camera.width).next_multiple_of(COPY_BYTES_PER_ROW_ALIGNMENT);
     let buffer = gpu.device.create_buffer(&BufferDescriptor {
         label: Some("screen"),
@@ -64,7 +69,7 @@ pub fn on_screen(gpu: &Gpu, live: &Live, picture: [u32; 2], window: &Scene) -> V
     };
     encoder.copy_texture_to_buffer(texture.as_image_copy(), to, texture.size());
     gpu.queue.submit([encoder.finish()]);
-    let bytes: Vec<u8> = gpu.read(&buffer).unwrap();
+    let bytes: Vec<u8> = block_on(gpu.read(&buffer)).unwrap();
     let rows = bytes.chunks_exact(stride as usize);
     let rows = rows.map(|row| &row[..4 * camera.width as usize]);
     rows.flat_map(|row| row.chunks_exact(4).map(|p| [p[0], p[1], p[2]]))

@@ -1,14 +1,14 @@
 //! The shipped atlas against the closed form, against the direct integrator, and against itself.
 
-use bake::baker::{Recipe, bake};
-use bake::diff::{Picture, diff};
-use bake::measure::{lookup_errors, measured};
-use bake::rays::random;
-use lensbake_core::{EdgeCoordinate, Observer, Ray, exact};
+use lensbake_core::{Observer, Ray, ShadowCoordinate, exact};
+use lensbake_studies::table_error::{Picture, diff};
+use lensbake_tables::baking::random;
+use lensbake_tables::baking::{Recipe, bake};
+use lensbake_tables::baking::{lookup_errors, measured};
 use lensbake_tables::lookup::GpuRow;
 use lensbake_tables::{ATLAS_BINARY, ATLAS_EXR, Axis, Rows, Table, container, default_atlas};
 
-/// What README and docs promise of the shipped atlas, rad.
+/// Error of the shipped atlas that README and docs promise, rad.
 const PROMISE: f64 = 1e-7;
 
 #[test]
@@ -46,12 +46,12 @@ fn lookup_and_direct_integration_agree() {
 
 #[test]
 fn the_first_row_is_the_bending_from_infinity() {
-    let row = default_atlas().row(Observer::far()).unwrap();
+    let row = default_atlas().row(Observer::at_infinity()).unwrap();
     for b in [2.5981, 2.6, 3.0, 10.0, 1e3, 1e6] {
         let closed = exact::bend(&Ray::from_infinity(b).unwrap())
             .escaped()
             .unwrap();
-        let looked_up = row.bend(EdgeCoordinate::from_b(b)).escaped().unwrap();
+        let looked_up = row.bend(ShadowCoordinate::from_b(b)).escaped().unwrap();
         assert!((looked_up - closed).abs() < PROMISE, "b {b}");
     }
 }
@@ -82,7 +82,9 @@ fn both_shipped_files_hold_the_same_table_in_64_kib() {
     assert_eq!(binary, exr);
     assert_eq!(binary.bytes(), 64 * 1024);
     for (file, bytes) in [("atlas.lbt", ATLAS_BINARY), ("atlas.exr", ATLAS_EXR)] {
-        let path = lensbake_tests::workspace().join("tables/assets").join(file);
+        let path = lensbake_test_support::workspace()
+            .join("tables/assets")
+            .join(file);
         assert_eq!(std::fs::read(path).unwrap(), bytes, "{file}");
     }
 }
@@ -92,7 +94,7 @@ fn the_shipped_atlas_is_what_bake_writes() {
     let recipe = Recipe::default();
     let fresh = measured(bake(&recipe, || ()).unwrap()).unwrap();
     let shipped = default_atlas();
-    // Another machine's mathematics library may round the last bit otherwise.
+    // Another machine's mathematics library may round the last bit differently.
     for (a, b) in fresh.texels().iter().zip(shipped.texels()) {
         assert!(
             (a[0] - b[0]).abs() <= 2.5e-7 && (a[1] - b[1]).abs() <= 2.5e-7,

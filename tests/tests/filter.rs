@@ -1,19 +1,19 @@
-//! The filtered picture: against many rays a pixel, on the GPU against the CPU, and what its edge and its
-//! seams look like.
+//! The filtered picture: against many rays per pixel, GPU against CPU, and for noise at the shadow's edge and
+//! seams in the sky.
 
 use glam::Vec3;
-use lensbake_tables::default_atlas;
-use lensbake_tests::gpu;
-use viewer::camera::{Camera, View};
-use viewer::cpu;
-use viewer::diff::PictureDifference;
-use viewer::gpu::Renderer;
-use viewer::reference::{self, PictureError};
-use viewer::scene::{Method, Sampling, Scene};
-use viewer::sky::{self, Sky, SkySource};
+use lensbake_render::camera::{Camera, View};
+use lensbake_render::cpu;
+use lensbake_render::diff::PictureDifference;
+use lensbake_render::lens::Deflection;
+use lensbake_render::scene::{Sampling, Scene};
+use lensbake_render::sky::{self, Sky, SkySource};
+use lensbake_studies::reference::{self, PictureError};
+use lensbake_tests::{lens, on_gpu, renderer};
+use std::sync::Arc;
 
-fn scene(view: View, method: Method) -> Scene {
-    Scene::new(Camera::new(&view).unwrap(), default_atlas(), method).unwrap()
+fn scene(view: View, deflection: Deflection, sky: &Arc<Sky>) -> Scene {
+    Scene::new(lens(&view, deflection), sky.clone())
 }
 
 fn small(radius: f64, yaw_deg: f64) -> View {
@@ -26,13 +26,13 @@ fn small(radius: f64, yaw_deg: f64) -> View {
     }
 }
 
-/// What `viewer reference` measures, on the CPU in f64, with 64 rays a pixel and in small pictures across
-/// the edge with pixels as large as there. Turned about the hole, a picture may be harder than those that
-/// its bars are for: beside the edge it may be off by 6.
+/// What `viewer reference` measures, on the CPU in f64 with 64 rays per pixel, in small pictures across the
+/// shadow's edge with pixels of the same size. The camera is turned around the hole, so that a picture may be
+/// harder than those of `viewer reference`: beside the edge its error may be up to 6.
 #[test]
 fn the_filtered_picture_is_the_mean_of_many_rays() {
     for source in [SkySource::Starmap, SkySource::Grid] {
-        let sky = sky::load(&source).unwrap();
+        let sky = Arc::new(sky::load(&source).unwrap());
         for radius in [50.0, 10.0, 5.0, 2.0] {
             let view = View {
                 orbit_deg: 30.0,
@@ -40,11 +40,11 @@ fn the_filtered_picture_is_the_mean_of_many_rays() {
                 fov_deg: 25.0,
                 ..small(radius, edge_deg(radius))
             };
-            let scene = scene(view, Method::Lut);
-            let many = reference::on_cpu(&scene, &sky, 8);
+            let scene = scene(view, Deflection::Lut, &sky);
+            let many = reference::on_cpu(&scene, 8);
             let error = |sampling| {
-                let picture = cpu::render(&scene.sampled(sampling), &sky, || ());
-                PictureError::of(&scene, &picture, &many)
+                let picture = cpu::render(&scene.clone().with_sampling(sampling), || ());
+                PictureError::of(&scene.lens, &picture, &many)
             };
             let (filtered, single) = (error(Sampling::Filtered), error(Sampling::Single));
             let at = format!("{source:?}, r {radius}: {filtered:?} and {single:?}");
@@ -61,15 +61,14 @@ fn the_filtered_picture_is_the_mean_of_many_rays() {
 
 fn edge_deg(radius: f64) -> f64 {
     let camera = Camera::new(&small(radius, 0.0)).unwrap();
-    camera.observer.edge_angle().to_degrees()
+    camera.observer.shadow_angle().to_degrees()
 }
 
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn the_gpu_filters_as_the_cpu_does() {
-    let gpu = gpu();
-    let sky = sky::grid(300);
-    let renderer = Renderer::new(&gpu, &sky).unwrap();
+    let sky = Arc::new(sky::grid(300));
+    let renderer = renderer();
     let turned = View {
         orbit_deg: 40.0,
         latitude_deg: -25.0,
@@ -89,14 +88,18 @@ fn the_gpu_filters_as_the_cpu_does() {
         small(1000.0, 0.0),
         close,
     ] {
-        for method in [Method::Lut, Method::Direct { step: 0.05 }, Method::Flat] {
+        for method in [
+            Deflection::Lut,
+            Deflection::Direct { step: 0.05 },
+            Deflection::Flat,
+        ] {
             // f32 cannot integrate from so far away: the orbit starts too flat.
-            if view.radius > 1e5 && matches!(method, Method::Direct { .. }) {
+            if view.radius > 1e5 && matches!(method, Deflection::Direct { .. }) {
                 continue;
             }
-            let scene = scene(view, method).sampled(Sampling::Filtered);
-            let on_cpu = cpu::render(&scene, &sky, || ());
-            let on_gpu = renderer.picture(&scene, |_| ()).unwrap();
+            let scene = scene(view, method, &sky).with_sampling(Sampling::Filtered);
+            let on_cpu = cpu::render(&scene, || ());
+            let on_gpu = on_gpu(&renderer, &scene);
             let difference = PictureDifference::of(&on_cpu, &on_gpu);
             let at = format!("{view:?} {method:?}: {difference:?}");
             let finite = |light: &[f32; 3]| light.iter().all(|channel| channel.is_finite());
@@ -109,21 +112,21 @@ fn the_gpu_filters_as_the_cpu_does() {
     assert_eq!(compared, 14);
 }
 
-/// Before a sky of rings about the hole, what a row of pixels across the edge sees changes smoothly from
-/// row to row. Single rays beside the edge fall on light or dark by chance.
+/// With a sky of rings around the hole, the light of a row of pixels across the shadow's edge changes smoothly
+/// from row to row. Single rays beside the edge hit light or dark by chance.
 #[test]
 fn the_ring_at_the_edge_has_no_noise() {
-    let sky = Sky::from_fn(256, |d| {
+    let sky = Arc::new(Sky::from_fn(256, |d| {
         Vec3::splat((3.0 * d.z + 0.5).floor().rem_euclid(2.0))
-    });
+    }));
     for radius in [1.2, 3.0, 30.0] {
         let view = View {
             fov_deg: 10.0,
             ..small(radius, edge_deg(radius))
         };
         let noise = |sampling| {
-            let scene = scene(view, Method::Lut).sampled(sampling);
-            let picture = cpu::render(&scene, &sky, || ());
+            let scene = scene(view, Deflection::Lut, &sky).with_sampling(sampling);
+            let picture = cpu::render(&scene, || ());
             // From within the shadow to six pixels beyond its edge in the middle row.
             let across = |row: &[[f32; 3]]| row[..86].iter().map(|light| light[0]).sum::<f32>();
             let rows: Vec<f32> = picture.pixels().chunks_exact(160).map(across).collect();
@@ -140,8 +143,8 @@ fn the_ring_at_the_edge_has_no_noise() {
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn coarse_levels_have_no_seam() {
-    let sky = Sky::from_fn(512, |direction| 0.5 + 0.4 * direction);
-    let renderer = Renderer::new(&gpu(), &sky).unwrap();
+    let sky = Arc::new(Sky::from_fn(512, |direction| 0.5 + 0.4 * direction));
+    let renderer = renderer();
     for (yaw_deg, pitch_deg) in [(180.0, 0.0), (135.0, 35.0), (225.0, -35.0), (180.0, 80.0)] {
         let view = View {
             pitch_deg,
@@ -149,8 +152,8 @@ fn coarse_levels_have_no_seam() {
             height: 36,
             ..small(1000.0, yaw_deg)
         };
-        let scene = scene(view, Method::Lut).sampled(Sampling::Filtered);
-        let picture = renderer.picture(&scene, |_| ()).unwrap();
+        let scene = scene(view, Deflection::Lut, &sky).with_sampling(Sampling::Filtered);
+        let picture = on_gpu(&renderer, &scene);
         let width = picture.width() as usize;
         let smooth = |pair: [usize; 2]| {
             let [a, b] = pair.map(|i| Vec3::from(picture.pixels()[i]));

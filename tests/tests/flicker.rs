@@ -1,23 +1,24 @@
-//! In an orbit a star keeps the light that the closed form says; and what it would do as a texel.
+//! During an orbit a star has the light that the closed form gives; drawn as a texel, it would flicker.
 
 use glam::Vec3;
-use lensbake_tests::gpu;
-use viewer::camera::View;
-use viewer::flicker::{BAR, Orbit, Subject, Track, follow, point_on_gpu};
-use viewer::scene::{Method, Scene};
-use viewer::stars::{DEFAULT_DISC_RADIUS, PointStar, Star, direction};
+use lensbake_render::camera::View;
+use lensbake_render::lens::{Deflection, Lens};
+use lensbake_render::stars::{DEFAULT_DISC_RADIUS, PointStar, Star, direction};
+use lensbake_studies::flicker::{BAR, Orbit, Subject, Track, follow, point_on_gpu};
+use lensbake_tests::renderer;
+use pollster::block_on;
 
-fn orbit(frames: u32) -> Vec<Scene> {
+fn orbit(frames: u32) -> Vec<Lens> {
     let view = View {
         width: 480,
         height: 270,
         ..View::default()
     };
-    Orbit { view, frames }.scenes().unwrap()
+    Orbit { view, frames }.lenses().unwrap()
 }
 
-/// A star at this declination that has the light of a fifth of a white pixel: none is left to a halo.
-fn faint_star(declination_deg: f64, scenes: &[Scene]) -> Subject {
+/// A star at this declination with the light of a fifth of a white pixel, so that no light is left for a halo.
+fn faint_star(declination_deg: f64, lenses: &[Lens]) -> Subject {
     let star = Star {
         right_ascension: 1.0,
         declination: declination_deg.to_radians(),
@@ -28,18 +29,18 @@ fn faint_star(declination_deg: f64, scenes: &[Scene]) -> Subject {
         direction: direction(star.right_ascension, star.declination),
         light: Vec3::splat(0.2),
     };
-    Subject::new(star, point, DEFAULT_DISC_RADIUS, scenes).unwrap()
+    Subject::new(star, point, DEFAULT_DISC_RADIUS, lenses).unwrap()
 }
 
-fn followed(declination_deg: f64, scenes: &[Scene]) -> Track {
-    follow(faint_star(declination_deg, scenes), scenes, || ()).unwrap()
+fn followed(declination_deg: f64, lenses: &[Lens]) -> Track {
+    follow(faint_star(declination_deg, lenses), lenses, || ())
 }
 
 #[test]
 fn in_an_orbit_of_240_frames_a_star_does_not_flicker() {
-    let scenes = orbit(240);
+    let lenses = orbit(240);
     for declination_deg in [2.0, 9.0, -20.0] {
-        let track = followed(declination_deg, &scenes);
+        let track = followed(declination_deg, &lenses);
         let (point, nearest) = (track.point(), track.nearest());
         println!(
             "{declination_deg} degrees aside, {} frames: {point:?}; one ray {nearest:?}",
@@ -53,27 +54,30 @@ fn in_an_orbit_of_240_frames_a_star_does_not_flicker() {
             nearest.rms > 0.2,
             "the comparison must be able to fail: {nearest:?}"
         );
-        // Filtering helps a texel, but a point it is not.
+        // Filtering improves a texel, but a point star is still better.
         let filtered = track.filtered().rms;
         assert!(point.rms < filtered && filtered < nearest.rms, "{filtered}");
     }
 }
 
-/// The curve is no mirror of the drawing: stars that are drawn where they are without the hole miss it.
+/// The light curve is independent of the drawing: stars drawn without deflection miss it.
 #[test]
 fn a_star_that_is_not_lensed_misses_the_bar() {
-    let scenes = orbit(48);
-    let flat: Vec<Scene> = scenes.iter().map(|scene| scene.by(Method::Flat)).collect();
-    let track = follow(faint_star(9.0, &scenes), &flat, || ()).unwrap();
+    let lenses = orbit(48);
+    let flat: Vec<Lens> = lenses
+        .iter()
+        .map(|lens| lens.with_deflection(Deflection::Flat))
+        .collect();
+    let track = follow(faint_star(9.0, &lenses), &flat, || ());
     assert!(!track.is_good(), "{:?}", track.point());
 }
 
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn nor_does_it_on_the_gpu() {
-    let scenes = orbit(48);
-    let mut track = followed(2.0, &scenes);
-    let off = point_on_gpu(&gpu(), &scenes, &track, || ()).unwrap();
+    let lenses = orbit(48);
+    let mut track = followed(2.0, &lenses);
+    let off = block_on(point_on_gpu(&renderer(), &lenses, &track, || ())).unwrap();
     assert!(off.worst < BAR, "{off:?}");
     track.on_gpu = Some(off);
     assert!(track.is_good());

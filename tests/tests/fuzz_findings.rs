@@ -1,12 +1,12 @@
-//! What fuzzing has found stays mended: each file in `fuzz/findings` once broke a program. A file is asked
-//! what its fuzz target asks, and may be refused in one line or taken.
+//! Regression tests of fuzzing: each file in `fuzz/findings` once broke a program. A file gets the checks of its
+//! fuzz target, and may be accepted, or refused in one line.
 
-use lensbake_core::{EdgeCoordinate, Fate};
+use lensbake_core::{RayOutcome, ShadowCoordinate};
+use lensbake_render::sky::panorama_from_bytes;
 use lensbake_tables::container;
-use lensbake_tests::workspace;
+use lensbake_test_support::workspace;
 use std::fs;
 use std::path::{Path, PathBuf};
-use viewer::sky::panorama_from_bytes;
 
 /// The files that a target has found.
 fn findings(target: &str) -> Vec<(PathBuf, Vec<u8>)> {
@@ -46,7 +46,7 @@ fn tables() {
             let row = table.row(table.header().observer(0)).unwrap();
             for one_minus_x in [f64::MIN_POSITIVE, 1e-9, 0.1, 0.5, 1.0] {
                 let x = 1.0 - one_minus_x;
-                if let Fate::Escapes(bend) = row.bend(EdgeCoordinate { x, one_minus_x }) {
+                if let RayOutcome::Escapes(bend) = row.bend(ShadowCoordinate { x, one_minus_x }) {
                     assert!(!bend.is_nan(), "{}", path.display());
                 }
             }

@@ -1,18 +1,20 @@
-//! Golden pictures: the seed report's figures 8 to 11, r = 50, 10, 5 and 2, before three skies.
+//! Golden pictures: figures 8 to 11 of bholetrace's report, r = 50, 10, 5 and 2, with three skies.
 //!
-//! `LENSBAKE_BLESS=1 cargo test -p lensbake-tests --test goldens` draws them anew on the CPU. Look at
-//! each before you commit it.
+//! `LENSBAKE_BLESS=1 cargo test -p lensbake-tests --test goldens` redraws them on the CPU. Look at each before you
+//! commit it.
 
 use image::ImageReader;
-use lensbake_tables::default_atlas;
+use lensbake_render::camera::View;
+use lensbake_render::cpu;
+use lensbake_render::diff::PictureDifference;
+use lensbake_render::lens::Deflection;
+use lensbake_render::picture::Picture;
+use lensbake_render::picture::PictureFormat;
+use lensbake_render::scene::{Sampling, Scene};
+use lensbake_render::sky::{self, Sky, SkySource};
+use lensbake_tests::{lens, on_gpu, renderer};
 use std::path::PathBuf;
-use viewer::camera::{Camera, View};
-use viewer::cpu;
-use viewer::diff::PictureDifference;
-use viewer::gpu::Renderer;
-use viewer::picture::Picture;
-use viewer::scene::{Method, Sampling, Scene};
-use viewer::sky::{self, SkySource};
+use std::sync::Arc;
 
 const RADII: [f64; 4] = [50.0, 10.0, 5.0, 2.0];
 const SKIES: [(&str, SkySource); 3] = [
@@ -21,7 +23,7 @@ const SKIES: [(&str, SkySource); 3] = [
     ("grid", SkySource::Grid),
 ];
 
-fn scene(radius: f64) -> Scene {
+fn scene(radius: f64, sky: &Arc<Sky>) -> Scene {
     let view = View {
         radius,
         // So near the hole its shadow fills the view: look past its edge.
@@ -30,13 +32,11 @@ fn scene(radius: f64) -> Scene {
         height: 180,
         ..View::default()
     };
-    Scene::new(Camera::new(&view).unwrap(), default_atlas(), Method::Lut)
-        .unwrap()
-        .sampled(Sampling::Filtered)
+    Scene::new(lens(&view, Deflection::Lut), sky.clone()).with_sampling(Sampling::Filtered)
 }
 
 fn golden_path(sky: &str, radius: f64) -> PathBuf {
-    lensbake_tests::workspace().join(format!("tests/goldens/{sky}-r{radius}.png"))
+    lensbake_test_support::workspace().join(format!("tests/goldens/{sky}-r{radius}.png"))
 }
 
 fn golden(sky: &str, radius: f64) -> Vec<[u8; 3]> {
@@ -49,7 +49,7 @@ fn golden(sky: &str, radius: f64) -> Vec<[u8; 3]> {
     image.pixels().map(|p| p.0).collect()
 }
 
-/// Another machine rounds otherwise, and there a footprint may get a tap more.
+/// Another machine rounds differently, so that a footprint may get one more tap.
 fn assert_same(picture: &Picture, golden: &[[u8; 3]], what: &str) {
     let difference = PictureDifference::on_screen(&picture.srgb(0.0), golden);
     assert!(difference.mean < 0.02, "{what}: {difference:?}");
@@ -63,11 +63,12 @@ fn assert_same(picture: &Picture, golden: &[[u8; 3]], what: &str) {
 fn the_cpu_draws_the_goldens() {
     let bless = std::env::var_os("LENSBAKE_BLESS").is_some();
     for (name, source) in &SKIES {
-        let sky = sky::load(source).unwrap();
+        let sky = Arc::new(sky::load(source).unwrap());
         for radius in RADII {
-            let picture = cpu::render(&scene(radius), &sky, || ());
+            let picture = cpu::render(&scene(radius, &sky), || ());
             if bless {
-                picture.write(&golden_path(name, radius), 0.0).unwrap();
+                let file = picture.encode(PictureFormat::Png, 0.0).unwrap();
+                std::fs::write(golden_path(name, radius), file).unwrap();
             }
             assert_same(
                 &picture,
@@ -81,11 +82,11 @@ fn the_cpu_draws_the_goldens() {
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn the_gpu_draws_the_goldens() {
-    let gpu = lensbake_tests::gpu();
+    let renderer = renderer();
     for (name, source) in &SKIES {
-        let renderer = Renderer::new(&gpu, &sky::load(source).unwrap()).unwrap();
+        let sky = Arc::new(sky::load(source).unwrap());
         for radius in RADII {
-            let picture = renderer.picture(&scene(radius), |_| ()).unwrap();
+            let picture = on_gpu(&renderer, &scene(radius, &sky));
             assert_same(
                 &picture,
                 &golden(name, radius),

@@ -1,8 +1,8 @@
-//! What the atlas would lose as half floats: the figure in docs/format.md.
+//! The error of the atlas stored as half floats: the figure in docs/format.md.
 
-use bake::diff::{DiffStatistics, Picture, diff};
-use bake::rays::{EDGE_GAP, R_MIN, random};
 use half::f16;
+use lensbake_studies::table_error::{DiffStatistics, Picture, diff};
+use lensbake_tables::baking::{EDGE_GAP, R_MIN, random};
 use lensbake_tables::{Table, default_atlas};
 
 fn in_half_floats(table: &Table) -> Table {

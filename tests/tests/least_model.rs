@@ -1,20 +1,17 @@
-//! The least model over random scenes: what is chosen keeps its budget as drawn, and what is cheaper
-//! would break it as drawn.
+//! The least model over random scenes: the chosen model keeps the budget when drawn, and cheaper models exceed it.
 
 use glam::DVec3;
-use lensbake_core::Fate;
+use lensbake_core::RayOutcome;
+use lensbake_render::camera::{Camera, View};
+use lensbake_render::cpu;
+use lensbake_render::diff::{PixelError, Reference};
+use lensbake_render::lens::{Deflection, Lens};
+use lensbake_render::model::{Candidate, Choice, Model, Precision, choose};
 use lensbake_tables::default_atlas;
-use lensbake_tests::gpu;
-use viewer::camera::{Camera, View};
-use viewer::cpu;
-use viewer::diff::{PixelError, Reference};
-use viewer::gpu::Renderer;
-use viewer::model::{Candidate, Choice, Model, Precision, choose};
-use viewer::scene::{Method, Scene};
-use viewer::sky::{Sky, SkySource};
+use lensbake_tests::{renderer, trace_on_gpu};
 
-/// A random choice of `count` scenes and budgets, of all kinds in turn.
-fn scenes(count: usize, seed: u64, size: (u32, u32)) -> Vec<(Scene, f64)> {
+/// `count` random scenes and budgets, of all kinds in turn.
+fn scenes(count: usize, seed: u64, size: (u32, u32)) -> Vec<(Lens, f64)> {
     let mut random = fastrand::Rng::with_seed(seed);
     (0..count)
         .map(|index| {
@@ -22,19 +19,20 @@ fn scenes(count: usize, seed: u64, size: (u32, u32)) -> Vec<(Scene, f64)> {
             let budget_px = decades(&mut random, -3.0, 0.0);
             let camera = Camera::new(&view).unwrap();
             (
-                Scene::new(camera, default_atlas(), Method::Lut).unwrap(),
+                Lens::new(camera, default_atlas(), Deflection::Lut).unwrap(),
                 budget_px,
             )
         })
         .collect()
 }
 
-/// 10ⁿ with n drawn evenly.
+/// 10ⁿ with n uniform from `from` to `to`.
 fn decades(random: &mut fastrand::Rng, from: f64, to: f64) -> f64 {
     10f64.powf(from + (to - from) * random.f64())
 }
 
-/// A view far away or near, at the hole, at its edge, anywhere or straight away from it, wide or narrow.
+/// A random view: from near or far; at the hole, at the shadow's edge, anywhere or straight away from the hole;
+/// wide or narrow.
 fn view(random: &mut fastrand::Rng, index: usize, (width, height): (u32, u32)) -> View {
     let radius = match index % 3 {
         0 => 1.0 + decades(random, -1.3, 0.5),
@@ -47,7 +45,7 @@ fn view(random: &mut fastrand::Rng, index: usize, (width, height): (u32, u32)) -
     })
     .unwrap()
     .observer
-    .edge_angle()
+    .shadow_angle()
     .to_degrees();
     let yaw_deg = match index / 3 % 4 {
         0 => 0.0,
@@ -73,26 +71,26 @@ fn view(random: &mut fastrand::Rng, index: usize, (width, height): (u32, u32)) -
 }
 
 /// The largest error of the CPU's whole picture, pixels.
-fn measured(reference: &Reference, scene: &Scene) -> f64 {
-    let trace = cpu::trace(scene, || ());
+fn measured(reference: &Reference, lens: &Lens) -> f64 {
+    let trace = cpu::trace(lens, || ());
     largest(reference, &trace)
 }
 
-fn largest(reference: &Reference, trace: &[Fate<DVec3>]) -> f64 {
+fn largest(reference: &Reference, trace: &[RayOutcome<DVec3>]) -> f64 {
     let errors = reference.errors(trace, &reference.trace());
-    // A NaN is the largest of all, not lost.
+    // `total_cmp` makes NaN the largest error, so that it is not lost.
     let pixels = errors.iter().map(PixelError::pixels);
     pixels.max_by(f64::total_cmp).unwrap_or(0.0)
 }
 
-/// Draws what was chosen and what is next cheaper, and holds both to the budget. `slack` is by how much
-/// a prediction from samples may miss the worst pixel of a picture.
-fn hold_to_budget(index: usize, scene: &Scene, choice: &Choice, slack: f64) {
-    let reference = Reference::new(scene, || ());
-    let at = || format!("scene {index}, {} px: {:?}", choice.budget_px, scene.camera);
+/// Draws with the chosen model and with the cheaper ones; checks that only the chosen one keeps the budget.
+/// `slack` is the part by which a prediction from samples may miss the worst pixel of a picture.
+fn check_budget(index: usize, lens: &Lens, choice: &Choice, slack: f64) {
+    let reference = Reference::new(lens, || ());
+    let at = || format!("scene {index}, {} px: {:?}", choice.budget_px, lens.camera);
     let held = |candidate: &Candidate| {
         let (measured, predicted) = (
-            measured(&reference, &candidate.scene),
+            measured(&reference, &candidate.lens),
             candidate.prediction.pixels,
         );
         assert!(
@@ -125,12 +123,12 @@ fn small_pictures_keep_their_budget_and_cheaper_models_would_not() {
     let scenes = scenes(360, 20_220_501, (64, 36));
     assert_eq!(scenes.len(), 360);
     let mut chosen = Vec::new();
-    for (index, (scene, budget_px)) in scenes.iter().enumerate() {
-        let choice = choose(scene, *budget_px, Precision::F64).unwrap();
-        hold_to_budget(index, scene, &choice, 0.0);
+    for (index, (lens, budget_px)) in scenes.iter().enumerate() {
+        let choice = choose(lens, *budget_px, Precision::F64).unwrap();
+        check_budget(index, lens, &choice, 0.0);
         chosen.push(choice.chosen.map(|candidate| candidate.model));
     }
-    // The random scenes are only worth something if they ask for different models.
+    // The test only has a meaning if the scenes need different models.
     let flat = chosen.iter().filter(|m| **m == Some(Model::Flat)).count();
     let met = chosen.iter().flatten().count();
     println!("chosen: {:?}", tally(&chosen));
@@ -153,17 +151,17 @@ fn tally(chosen: &[Option<Model>]) -> Vec<(String, usize)> {
 
 #[test]
 fn large_pictures_are_judged_by_few_of_their_pixels() {
-    for (index, (scene, budget_px)) in scenes(36, 7, (640, 360)).iter().enumerate() {
-        let choice = choose(scene, *budget_px, Precision::F64).unwrap();
-        assert!(choice.samples < scene.camera.pixels() / 10);
-        hold_to_budget(index, scene, &choice, 0.01);
+    for (index, (lens, budget_px)) in scenes(36, 7, (640, 360)).iter().enumerate() {
+        let choice = choose(lens, *budget_px, Precision::F64).unwrap();
+        assert!(choice.samples < lens.camera.pixels() / 10);
+        check_budget(index, lens, &choice, 0.01);
     }
 }
 
 #[test]
 fn the_choice_is_always_the_same() {
-    for (scene, budget_px) in scenes(12, 3, (640, 360)) {
-        let again = || choose(&scene, budget_px, Precision::F64).unwrap();
+    for (lens, budget_px) in scenes(12, 3, (640, 360)) {
+        let again = || choose(&lens, budget_px, Precision::F64).unwrap();
         assert_eq!(again(), again());
     }
 }
@@ -171,29 +169,23 @@ fn the_choice_is_always_the_same() {
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn pictures_on_the_gpu_keep_their_budget_too() {
-    let gpu = gpu();
-    let sky = viewer::sky::load(&SkySource::Grid).unwrap();
-    let renderer = renderer(&gpu, &sky);
+    let renderer = renderer();
     let mut met = 0;
-    for (index, (scene, budget_px)) in scenes(108, 11, (64, 36)).iter().enumerate() {
-        let choice = choose(scene, *budget_px, Precision::F32).unwrap();
+    for (index, (lens, budget_px)) in scenes(108, 11, (64, 36)).iter().enumerate() {
+        let choice = choose(lens, *budget_px, Precision::F32).unwrap();
         let Some(chosen) = choice.chosen else {
             continue;
         };
-        let trace = renderer.trace(&chosen.scene, |_| ()).unwrap();
-        let error = largest(&Reference::new(scene, || ()), &trace);
+        let trace = trace_on_gpu(&renderer, &chosen.lens);
+        let error = largest(&Reference::new(lens, || ()), &trace);
         assert!(
             error <= *budget_px,
             "scene {index}, {}: {error} px of {budget_px}: {:?} {:?}",
             chosen.model,
-            scene.camera,
+            lens.camera,
             chosen.prediction
         );
         met += 1;
     }
     assert!(met >= 60, "{met}");
-}
-
-fn renderer(gpu: &viewer::gpu::Gpu, sky: &Sky) -> Renderer {
-    Renderer::new(gpu, sky).unwrap()
 }

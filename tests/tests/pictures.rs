@@ -1,19 +1,16 @@
-//! The pictures as they are drawn: against the closed form, against each other, and by their shadow.
+//! Drawn pictures: against the closed form, against each other, and the size of the shadow in them.
 
 use glam::{DVec3, Vec3};
-use lensbake_core::Fate;
-use lensbake_tables::default_atlas;
-use lensbake_tests::gpu;
-use viewer::camera::{Camera, View};
-use viewer::cpu;
-use viewer::diff::{PictureDifference, Reference, TraceStatistics};
-use viewer::gpu::{Gpu, Renderer};
-use viewer::scene::{Method, Scene};
-use viewer::sky::{self, Sky, SkySource};
-
-fn scene(view: View, method: Method) -> Scene {
-    Scene::new(Camera::new(&view).unwrap(), default_atlas(), method).unwrap()
-}
+use lensbake_core::RayOutcome;
+use lensbake_render::camera::{Camera, View};
+use lensbake_render::cpu;
+use lensbake_render::diff::{PictureDifference, Reference, TraceStatistics};
+use lensbake_render::gpu::Renderer;
+use lensbake_render::lens::Deflection;
+use lensbake_render::scene::Scene;
+use lensbake_render::sky::{self, Sky, SkySource};
+use lensbake_tests::{lens, on_gpu, renderer, trace_on_gpu};
+use std::sync::Arc;
 
 fn half_size(radius: f64) -> View {
     View {
@@ -24,29 +21,28 @@ fn half_size(radius: f64) -> View {
     }
 }
 
-/// A sky without detail, for what does not look at it.
-fn plain_sky() -> Sky {
-    Sky::from_fn(1, |_| Vec3::ONE)
-}
-
 /// A sky that changes slowly and everywhere, and has no seam of its own.
 fn smooth_sky() -> Sky {
     Sky::from_fn(256, |direction| 0.5 + 0.4 * direction)
 }
 
-fn captured(trace: &[Fate<DVec3>]) -> usize {
-    trace.iter().filter(|fate| **fate == Fate::Captured).count()
+fn captured(trace: &[RayOutcome<DVec3>]) -> usize {
+    trace
+        .iter()
+        .filter(|outcome| **outcome == RayOutcome::Captured)
+        .count()
 }
 
-/// The largest image-space error (px) of a whole picture drawn by `method`, and how many of its pixels
+/// Statistics of the image-space error of a whole picture drawn by `deflection`, and the number of its pixels that
 /// see the sky.
-fn image_space_error(gpu: &Gpu, view: View, method: Method) -> (TraceStatistics, usize) {
-    let scene = scene(view, method);
-    let trace = Renderer::new(gpu, &plain_sky())
-        .unwrap()
-        .trace(&scene, |_| ())
-        .unwrap();
-    let reference = Reference::new(&scene, || ());
+fn image_space_error(
+    renderer: &Renderer,
+    view: View,
+    deflection: Deflection,
+) -> (TraceStatistics, usize) {
+    let lens = lens(&view, deflection);
+    let trace = trace_on_gpu(renderer, &lens);
+    let reference = Reference::new(&lens, || ());
     let errors = reference.errors(&trace, &reference.trace());
     (
         TraceStatistics::of(&errors).unwrap(),
@@ -57,21 +53,21 @@ fn image_space_error(gpu: &Gpu, view: View, method: Method) -> (TraceStatistics,
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn the_lookup_as_rendered_is_good_to_two_thousandths_of_a_pixel() {
-    let gpu = gpu();
+    let renderer = renderer();
     for radius in [2.0, 2.5, 5.0, 10.0, 50.0] {
         let edge = Camera::new(&half_size(radius))
             .unwrap()
             .observer
-            .edge_angle()
+            .shadow_angle()
             .to_degrees();
-        // At the edge, which fills no view of its own so near the hole, and away from it.
+        // Views at the shadow's edge (near the hole the shadow fills the view ahead) and away from the hole.
         for yaw_deg in [edge, 180.0] {
             let view = View {
                 radius,
                 yaw_deg,
                 ..View::default()
             };
-            let (statistics, seen) = image_space_error(&gpu, view, Method::Lut);
+            let (statistics, seen) = image_space_error(&renderer, view, Deflection::Lut);
             println!("r {radius}, yaw {yaw_deg:.1}: {}", statistics.pixels);
             assert!(seen > 500_000, "r {radius}, yaw {yaw_deg}: {seen}");
             assert!(
@@ -85,13 +81,13 @@ fn the_lookup_as_rendered_is_good_to_two_thousandths_of_a_pixel() {
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn direct_integration_on_the_gpu_converges_to_the_closed_form() {
-    let gpu = gpu();
+    let renderer = renderer();
     let error = |step| {
         let view = View {
             yaw_deg: 20.0,
             ..half_size(5.0)
         };
-        image_space_error(&gpu, view, Method::Direct { step })
+        image_space_error(&renderer, view, Deflection::Direct { step })
             .0
             .pixels
     };
@@ -103,22 +99,25 @@ fn direct_integration_on_the_gpu_converges_to_the_closed_form() {
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn the_lookups_picture_is_the_direct_picture() {
-    let gpu = gpu();
-    let renderer = Renderer::new(&gpu, &sky::load(&SkySource::Grid).unwrap()).unwrap();
+    let renderer = renderer();
+    let sky = Arc::new(sky::load(&SkySource::Grid).unwrap());
     for radius in [2.5, 10.0] {
         let view = View {
             yaw_deg: 30.0,
             ..half_size(radius)
         };
-        let draw = |method| renderer.picture(&scene(view, method), |_| ()).unwrap();
-        let lut = draw(Method::Lut);
-        let difference = PictureDifference::of(&lut, &draw(Method::Direct { step: 0.05 }));
+        let draw = |deflection| {
+            let scene = Scene::new(lens(&view, deflection), sky.clone());
+            on_gpu(&renderer, &scene)
+        };
+        let lut = draw(Deflection::Lut);
+        let difference = PictureDifference::of(&lut, &draw(Deflection::Direct { step: 0.05 }));
         assert!(difference.mean < 0.01, "r {radius}: {difference:?}");
         assert!(
             difference.over_two < lut.pixels().len() / 1000,
             "r {radius}: {difference:?}"
         );
-        let undeflected = PictureDifference::of(&lut, &draw(Method::Flat));
+        let undeflected = PictureDifference::of(&lut, &draw(Deflection::Flat));
         assert!(undeflected.mean > 5.0, "r {radius}: {undeflected:?}");
     }
 }
@@ -126,9 +125,8 @@ fn the_lookups_picture_is_the_direct_picture() {
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn the_gpu_draws_what_the_cpu_draws() {
-    let gpu = gpu();
-    let sky = sky::load(&SkySource::Grid).unwrap();
-    let renderer = Renderer::new(&gpu, &sky).unwrap();
+    let renderer = renderer();
+    let sky = Arc::new(sky::load(&SkySource::Grid).unwrap());
     let view = View {
         orbit_deg: 40.0,
         latitude_deg: -25.0,
@@ -137,10 +135,14 @@ fn the_gpu_draws_what_the_cpu_draws() {
         roll_deg: 5.0,
         ..half_size(6.0)
     };
-    for method in [Method::Lut, Method::Direct { step: 0.05 }, Method::Flat] {
-        let scene = scene(view, method);
-        let on_cpu = cpu::render(&scene, &sky, || ());
-        let on_gpu = renderer.picture(&scene, |_| ()).unwrap();
+    for method in [
+        Deflection::Lut,
+        Deflection::Direct { step: 0.05 },
+        Deflection::Flat,
+    ] {
+        let scene = Scene::new(lens(&view, method), sky.clone());
+        let on_cpu = cpu::render(&scene, || ());
+        let on_gpu = on_gpu(&renderer, &scene);
         let difference = PictureDifference::of(&on_cpu, &on_gpu);
         assert!(difference.mean < 0.1, "{method:?}: {difference:?}");
         assert!(
@@ -153,15 +155,13 @@ fn the_gpu_draws_what_the_cpu_draws() {
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn the_shadow_at_r_10_has_its_radius_within_half_a_pixel() {
-    let gpu = gpu();
+    let renderer = renderer();
     let view = View {
         radius: 10.0,
         ..View::default()
     };
-    let renderer = Renderer::new(&gpu, &plain_sky()).unwrap();
-    for method in [Method::Lut, Method::Direct { step: 0.05 }] {
-        let scene = scene(view, method);
-        let trace = renderer.trace(&scene, |_| ()).unwrap();
+    for method in [Deflection::Lut, Deflection::Direct { step: 0.05 }] {
+        let trace = trace_on_gpu(&renderer, &lens(&view, method));
         // sin θ_c = b_c √(1 − 1/r) / r gives 14.26902733°; 90° across 1920 pixels.
         let expected = 960.0 * 14.269_027_33_f64.to_radians().tan();
         let from_area = (captured(&trace) as f64 / std::f64::consts::PI).sqrt();
@@ -181,8 +181,8 @@ fn the_shadow_at_r_10_has_its_radius_within_half_a_pixel() {
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn there_is_no_second_hole_behind_the_camera_and_no_seam() {
-    let gpu = gpu();
-    let renderer = Renderer::new(&gpu, &smooth_sky()).unwrap();
+    let renderer = renderer();
+    let sky = Arc::new(smooth_sky());
     for radius in [1.6, 2.0, 10.0, 1000.0] {
         for (yaw_deg, pitch_deg) in [
             (180.0, 0.0),
@@ -197,14 +197,10 @@ fn there_is_no_second_hole_behind_the_camera_and_no_seam() {
                 fov_deg: 40.0,
                 ..half_size(radius)
             };
-            let scene = scene(view, Method::Lut);
+            let lens = lens(&view, Deflection::Lut);
             let at = format!("r {radius}, yaw {yaw_deg}, pitch {pitch_deg}");
-            assert_eq!(
-                captured(&renderer.trace(&scene, |_| ()).unwrap()),
-                0,
-                "{at}"
-            );
-            let picture = renderer.picture(&scene, |_| ()).unwrap();
+            assert_eq!(captured(&trace_on_gpu(&renderer, &lens)), 0, "{at}");
+            let picture = on_gpu(&renderer, &Scene::new(lens, sky.clone()));
             let jump = largest_jump(picture.pixels(), picture.width() as usize);
             assert!(jump < 0.02, "{at}: {jump}");
         }

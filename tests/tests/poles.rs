@@ -1,24 +1,25 @@
 //! The rays on the axis through hole and camera, where sin θ is 0: on both devices and by every method.
 
 use glam::{DMat3, Vec3};
+use lensbake_render::camera::{Camera, View};
+use lensbake_render::cpu;
+use lensbake_render::filter::FilteredPixels;
+use lensbake_render::lens::{Deflection, Lens};
+use lensbake_render::picture::Picture;
+use lensbake_render::scene::{Sampling, Scene};
+use lensbake_render::sky::{Sky, grid};
 use lensbake_tables::default_atlas;
-use lensbake_tests::gpu;
-use viewer::camera::{Camera, View};
-use viewer::cpu;
-use viewer::filtered::Pixels;
-use viewer::gpu::{Gpu, Renderer};
-use viewer::picture::Picture;
-use viewer::scene::{Method, Sampling, Scene};
-use viewer::sky::{Sky, grid};
+use lensbake_tests::{on_gpu, renderer};
+use std::sync::Arc;
 
-const METHODS: [Method; 4] = [
-    Method::Lut,
-    Method::Direct { step: 0.05 },
-    Method::Direct { step: 0.5 },
-    Method::Flat,
+const METHODS: [Deflection; 4] = [
+    Deflection::Lut,
+    Deflection::Direct { step: 0.05 },
+    Deflection::Direct { step: 0.5 },
+    Deflection::Flat,
 ];
 
-/// Views with a pixel straight away from the hole, as near as angles in degrees come to it.
+/// Views with a pixel that looks straight away from the hole, as nearly as angles in degrees permit.
 fn views() -> Vec<View> {
     let away = |radius, yaw_deg, pitch_deg, roll_deg, fov_deg, (width, height)| View {
         radius,
@@ -47,14 +48,18 @@ fn smooth_sky() -> Sky {
 }
 
 /// Draws every view by every method and sampling and hands each picture to `check`.
-fn draw_all(draw: impl Fn(&Scene) -> Picture, check: impl Fn(&Scene, &Picture)) -> usize {
+fn draw_all(
+    sky: &Arc<Sky>,
+    draw: impl Fn(&Scene) -> Picture,
+    check: impl Fn(&Scene, &Picture),
+) -> usize {
     let mut drawn = 0;
     for view in views() {
         let camera = Camera::new(&view).unwrap();
         for method in METHODS {
-            let scene = Scene::new(camera, default_atlas(), method).unwrap();
+            let lens = Lens::new(camera, default_atlas(), method).unwrap();
             for sampling in [Sampling::Single, Sampling::Filtered] {
-                let scene = scene.sampled(sampling);
+                let scene = Scene::new(lens.clone(), sky.clone()).with_sampling(sampling);
                 check(&scene, &draw(&scene));
                 drawn += 1;
             }
@@ -66,10 +71,10 @@ fn draw_all(draw: impl Fn(&Scene) -> Picture, check: impl Fn(&Scene, &Picture)) 
 fn at(scene: &Scene) -> String {
     format!(
         "r {}, {} x {}, {:?}, {:?}",
-        scene.camera.observer.radius(),
-        scene.camera.width,
-        scene.camera.height,
-        scene.method,
+        scene.lens.camera.observer.radius(),
+        scene.lens.camera.width,
+        scene.lens.camera.height,
+        scene.lens.deflection,
         scene.sampling
     )
 }
@@ -89,14 +94,14 @@ fn middle_and_neighbours(picture: &Picture) -> Option<(Vec3, Vec3)> {
     Some((pixel(x, y), sum / 8.0))
 }
 
-fn check_smooth(_: &Sky, scene: &Scene, picture: &Picture) {
+fn check_smooth(scene: &Scene, picture: &Picture) {
     assert_eq!(picture.without_value(), None, "{}", at(scene));
     for pixel in picture.pixels() {
         assert!(pixel.iter().all(|c| c.is_finite()), "{}", at(scene));
     }
-    // Of a window of some pixels the middle sees more than what is straight away.
-    let window = std::f64::consts::PI - scene.camera.observer.edge_angle();
-    if window < 20.0 * scene.camera.right.length() {
+    // If the visible sky is only some pixels wide, the middle pixel sees more than what is straight away.
+    let window = std::f64::consts::PI - scene.lens.camera.observer.shadow_angle();
+    if window < 20.0 * scene.lens.camera.right.length() {
         return;
     }
     if let Some((middle, about)) = middle_and_neighbours(picture) {
@@ -108,48 +113,52 @@ fn check_smooth(_: &Sky, scene: &Scene, picture: &Picture) {
     }
 }
 
-/// A pixel straight away is like one that looks a hair beside, as the CPU draws that.
-fn check_grid(sky: &Sky, scene: &Scene, picture: &Picture) {
+/// The pixel straight away from the hole is like the same pixel of a camera turned by `HAIR`, drawn on the CPU.
+fn check_grid(scene: &Scene, picture: &Picture) {
     const HAIR: f64 = 1e-5;
-    let camera = &scene.camera;
-    if camera.width.is_multiple_of(2) || camera.observer.edge_angle() > 2.0 {
+    let camera = &scene.lens.camera;
+    if camera.width.is_multiple_of(2) || camera.observer.shadow_angle() > 2.0 {
         return;
     }
     let turned = DMat3::from_rotation_y(HAIR);
-    let beside = Scene {
+    let beside = Lens {
         camera: Camera {
             right: turned * camera.right,
             down: turned * camera.down,
             forward: turned * camera.forward,
             ..*camera
         },
-        ..scene.clone()
+        ..scene.lens.clone()
     };
     let (x, y) = (camera.width / 2, camera.height / 2);
     let expected = match scene.sampling {
         Sampling::Single => {
-            let light = cpu::light_direction(&beside, beside.camera.direction(x, y));
-            let direction = camera.sky_from_hole * light.escaped().unwrap();
-            sky.sample(direction.as_vec3())
+            let light = beside.ray(beside.camera.direction(x, y));
+            let direction = camera.sky_from_hole * light.escaped().unwrap().direction;
+            scene.sky.sample(direction.as_vec3())
         }
-        Sampling::Filtered => Pixels::new(&beside).light(sky, x, y).truncate(),
+        Sampling::Filtered => FilteredPixels::new(&beside)
+            .light(&scene.sky, x, y)
+            .truncate(),
     };
     let middle = Vec3::from(picture.pixels()[(y * picture.width() + x) as usize]);
     let off = (middle - expected).abs().max_element();
     assert!(off < 0.01, "{}: {middle} for {expected}", at(scene));
 }
 
-type Check = fn(&Sky, &Scene, &Picture);
+type Check = fn(&Scene, &Picture);
 
-fn skies() -> [(Sky, Check); 2] {
-    [(smooth_sky(), check_smooth), (grid(1024), check_grid)]
+fn skies() -> [(Arc<Sky>, Check); 2] {
+    [
+        (smooth_sky().into(), check_smooth),
+        (grid(1024).into(), check_grid),
+    ]
 }
 
 #[test]
 fn straight_away_the_cpu_draws_what_is_there() {
     for (sky, check) in skies() {
-        let draw = |scene: &Scene| cpu::render(scene, &sky, || ());
-        let drawn = draw_all(draw, |scene, picture| check(&sky, scene, picture));
+        let drawn = draw_all(&sky, |scene| cpu::render(scene, || ()), check);
         assert_eq!(drawn, 280);
     }
 }
@@ -157,16 +166,14 @@ fn straight_away_the_cpu_draws_what_is_there() {
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn straight_away_the_gpu_draws_what_is_there() {
-    let gpu: Gpu = gpu();
+    let renderer = renderer();
     for (sky, check) in skies() {
-        let renderer = Renderer::new(&gpu, &sky).unwrap();
-        let draw = |scene: &Scene| renderer.picture(scene, |_| ()).unwrap();
-        let drawn = draw_all(draw, |scene, picture| check(&sky, scene, picture));
+        let drawn = draw_all(&sky, |scene| on_gpu(&renderer, scene), check);
         assert_eq!(drawn, 280);
     }
 }
 
-/// What integration can't find is counted and named, and is black.
+/// Pixels whose light cannot be computed are counted and black, and the first is named.
 #[test]
 fn a_picture_holds_no_nan() {
     let nan = f32::NAN;

@@ -1,10 +1,10 @@
-//! The OpenEXR tables, read by programs that others wrote: OpenEXR's own library, tinyexr and three.js.
-//! They have to see the bits of the binary file, its first row at the top.
+//! The OpenEXR tables, read by other programs: OpenEXR's own library, tinyexr and three.js. They must see the bits
+//! of the binary file, with the first row at the top.
 
-use bake::baker::{Recipe, bake};
-use bake::measure::measured;
-use lensbake_tables::{Header, Rows, Table, Texel, container, default_atlas};
-use lensbake_tests::{one_row, workspace};
+use lensbake_tables::baking::measured;
+use lensbake_tables::baking::{Recipe, bake};
+use lensbake_tables::{Header, Rows, Table, Texel, default_atlas};
+use lensbake_test_support::{one_row, workspace};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::LazyLock;
@@ -37,7 +37,7 @@ static READERS: LazyLock<[Reader; 3]> = LazyLock::new(|| {
 const HINT: &str = "run scripts/test.sh once, which installs what this test reads with; or test with \
                     --features lensbake-tests/no-readers";
 
-/// Where `scripts/fetch-readers.sh` puts the readers' packages: beside Cargo's folder for tests.
+/// Folder for the readers' packages, beside Cargo's folder for tests; `scripts/fetch-readers.sh` fills it.
 fn fetched() -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("readers");
     assert!(
@@ -58,7 +58,7 @@ fn build(source: &Path, program: &Path) {
     assert!(built, "{} does not compile: {HINT}", source.display());
 }
 
-/// What a reader made of a picture.
+/// A picture as a reader sees it.
 struct Picture {
     width: u32,
     height: u32,
@@ -95,7 +95,7 @@ fn words(bytes: &[u8]) -> Vec<u32> {
     words.iter().map(|word| u32::from_le_bytes(*word)).collect()
 }
 
-/// The bits of the texels in a binary file, by docs/format.md and not by our reader.
+/// The bits of the texels in a binary file, decoded by docs/format.md and not by our own reader.
 fn bits_of_the_texels(file: &Path) -> Vec<[u32; 2]> {
     let bytes = std::fs::read(file).unwrap();
     let header_length = words(&bytes[12..16])[0] as usize;
@@ -128,12 +128,12 @@ fn all_see_the_same(binary: &Path, exr: &Path, header: &Header) {
 fn readers_see(table: &Table) {
     let folder = TempDir::new().unwrap();
     let [binary, exr] = ["table.lbt", "table.exr"].map(|name| folder.path().join(name));
-    container::write(&binary, table).unwrap();
-    container::write(&exr, table).unwrap();
+    lensbake_test_support::write_table(&binary, table);
+    lensbake_test_support::write_table(&exr, table);
     all_see_the_same(&binary, &exr, table.header());
 }
 
-/// A table of random bits, which cannot be compressed and which half floats cannot hold.
+/// A table of random bits, which cannot be compressed, and which half floats cannot represent.
 fn noise(rows: u32, texels: u32) -> Table {
     let mut rng = fastrand::Rng::with_seed(5);
     let mut float = || {

@@ -1,18 +1,20 @@
-//! The light of stars that are very bright or very many: the GPU and the CPU keep all of it.
+//! Light of very bright and of very many stars: neither the GPU nor the CPU loses any of it.
 
 use glam::{DVec3, Vec3};
-use lensbake_tables::default_atlas;
-use lensbake_tests::gpu;
+use lensbake_render::camera::{Camera, View};
+use lensbake_render::cpu;
+use lensbake_render::diff::PictureDifference;
+use lensbake_render::gpu::{FrameContent, Gpu, RealtimeRenderer, Renderer, Stopwatch};
+use lensbake_render::lens::{Deflection, Lens};
+use lensbake_render::picture::Picture;
+use lensbake_render::scene::Sampling;
+use lensbake_render::stars::{Catalogue, DEFAULT_DISC_RADIUS, PointStar, Star, StarField};
 use lensbake_tests::screen::on_screen;
-use lensbake_tests::stars::{black, on_cpu, on_gpu};
-use viewer::camera::{Camera, View};
-use viewer::diff::PictureDifference;
-use viewer::gpu::{Live, Renderer, Show, Stopwatch};
-use viewer::picture::Picture;
-use viewer::scene::{Method, Sampling, Scene};
-use viewer::stars::{Catalogue, DEFAULT_DISC_RADIUS, PointStar, Star, StarField};
+use lensbake_tests::stars::scene;
+use lensbake_tests::{lens, renderer};
+use pollster::block_on;
 
-/// The angle of the stars from the hole, rad: their first image is near the middle of [`scene`]'s picture.
+/// The angle of the stars from the hole, rad: their first image is near the middle of the picture of [`VIEW`].
 const BETA: f64 = 0.3;
 
 const VIEW: View = View {
@@ -27,15 +29,21 @@ const VIEW: View = View {
     height: 160,
 };
 
-fn scene(method: Method) -> Scene {
-    Scene::new(Camera::new(&VIEW).unwrap(), default_atlas(), method).unwrap()
+/// The picture of the stars alone, one ray per pixel, as the CPU draws it.
+fn on_cpu(lens: &Lens, field: &StarField) -> Picture {
+    cpu::render(&scene(lens, field), || ())
 }
 
-/// The unit vector, sky frame, to a place at [`BETA`] from the hole, moved aside by `aside`, rad.
-fn place(scene: &Scene, aside: [f64; 2]) -> DVec3 {
+/// The same picture as the GPU draws it.
+fn on_gpu(renderer: &Renderer, lens: &Lens, field: &StarField) -> Picture {
+    lensbake_tests::on_gpu(renderer, &scene(lens, field))
+}
+
+/// The unit vector, sky frame, at [`BETA`] from the hole, offset by `aside`, rad.
+fn place(lens: &Lens, aside: [f64; 2]) -> DVec3 {
     let beta = BETA + aside[0];
     let in_hole = DVec3::new(beta.sin(), aside[1], -beta.cos()).normalize();
-    scene.camera.sky_from_hole * in_hole
+    lens.camera.sky_from_hole * in_hole
 }
 
 fn field(stars: Vec<PointStar>) -> StarField {
@@ -45,7 +53,7 @@ fn field(stars: Vec<PointStar>) -> StarField {
     }
 }
 
-/// The light of a star in all channels.
+/// The light of a star, summed over the channels.
 fn channels(star: &PointStar) -> f64 {
     star.light.to_array().map(f64::from).iter().sum()
 }
@@ -69,8 +77,8 @@ fn same_light(found: f64, expected: f64, most: f64, what: &str) {
     assert!(off.abs() < most, "{what}: {found:e} for {expected:e}");
 }
 
-/// The stars of a catalogue with one star of this magnitude, in the place of [`place`].
-fn one_star(scene: &Scene, magnitude: f64, stops: f64) -> StarField {
+/// A field of one star of this magnitude, at [`place`].
+fn one_star(lens: &Lens, magnitude: f64, stops: f64) -> StarField {
     let star = Star {
         right_ascension: 0.0,
         declination: 0.0,
@@ -79,11 +87,11 @@ fn one_star(scene: &Scene, magnitude: f64, stops: f64) -> StarField {
     };
     let catalogue = Catalogue::new(vec![star], DEFAULT_DISC_RADIUS).unwrap();
     let mut field = StarField::new(&catalogue, stops);
-    field.stars[0].direction = place(scene, [0.0; 2]);
+    field.stars[0].direction = place(lens, [0.0; 2]);
     field
 }
 
-/// Magnitudes and exposures, up to the most that a catalogue and the command line may ask for.
+/// Magnitudes and exposures (stops), at least up to the most that a catalogue and the command line accept.
 const BRIGHT: [(f64, f64); 6] = [
     (-10.0, 0.0),
     (-20.0, 0.0),
@@ -96,31 +104,31 @@ const BRIGHT: [(f64, f64); 6] = [
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn however_bright_a_star_the_gpu_draws_it_as_the_cpu_does() {
-    let gpu = gpu();
-    let scene = scene(Method::Lut);
+    let renderer = renderer();
+    let lens = lens(&VIEW, Deflection::Lut);
     for (magnitude, stops) in BRIGHT {
-        let field = one_star(&scene, magnitude, stops);
-        let [by_cpu, by_gpu] = [on_cpu(&scene, &field), on_gpu(&gpu, &scene, &field)];
+        let field = one_star(&lens, magnitude, stops);
+        let [by_cpu, by_gpu] = [on_cpu(&lens, &field), on_gpu(&renderer, &lens, &field)];
         let what = format!("magnitude {magnitude} at {stops} stops");
         same_light(light(&by_gpu), light(&by_cpu), 2e-4, &what);
         let difference = PictureDifference::of(&by_cpu, &by_gpu);
         println!("{what}: {difference:?}");
-        // The rim of its last halo goes from black to white within a part of a pixel.
+        // The rim of its last halo goes from black to white within a fraction of a pixel.
         assert!(difference.over_two <= 4, "{what}: {difference:?}");
     }
 }
 
-/// On the axis the light is greater still: an arc, whose pieces the CPU finds for both.
+/// On the axis the magnification is greater still: the image is an arc, whose pieces the CPU computes for both.
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn the_ring_of_the_brightest_star_is_finite_and_the_same_on_both() {
-    let gpu = gpu();
-    let scene = scene(Method::Lut);
+    let renderer = renderer();
+    let lens = lens(&VIEW, Deflection::Lut);
     for disc_radius in [DEFAULT_DISC_RADIUS, 1e-300] {
-        let mut field = one_star(&scene, -32.768, 32.0);
-        field.stars[0].direction = scene.camera.sky_from_hole * DVec3::NEG_Z;
+        let mut field = one_star(&lens, -32.768, 32.0);
+        field.stars[0].direction = lens.camera.sky_from_hole * DVec3::NEG_Z;
         field.disc_radius = disc_radius;
-        let [by_cpu, by_gpu] = [on_cpu(&scene, &field), on_gpu(&gpu, &scene, &field)];
+        let [by_cpu, by_gpu] = [on_cpu(&lens, &field), on_gpu(&renderer, &lens, &field)];
         for picture in [&by_cpu, &by_gpu] {
             let mut channels = picture.pixels().iter().flatten();
             assert!(channels.all(|c| c.is_finite()), "radius {disc_radius:e}");
@@ -130,36 +138,36 @@ fn the_ring_of_the_brightest_star_is_finite_and_the_same_on_both() {
     }
 }
 
-/// The window's picture is of 16-bit floats, which end at 65504: nothing in it may become infinite, for then
-/// the screen shows black in the middle of the star.
+/// The window's picture has 16-bit floats, of which the largest is 65504. No value may become infinite: the screen
+/// would show black in the middle of the star.
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn however_bright_a_star_the_window_shows_it_as_the_cpu_draws_it() {
-    let gpu = gpu();
-    let scene = scene(Method::Lut);
-    let picture = [scene.camera.width, scene.camera.height];
+    let renderer = renderer();
+    let lens = lens(&VIEW, Deflection::Lut);
+    let gpu: &Gpu = renderer.gpu();
+    let picture = [lens.camera.width, lens.camera.height];
     let twice_as_large = View {
         width: 480,
         height: 320,
         ..VIEW
     };
-    let camera = Camera::new(&twice_as_large).unwrap();
-    let enlarged = Scene::new(camera, default_atlas(), Method::Lut).unwrap();
+    let enlarged = Camera::new(&twice_as_large).unwrap();
     for (magnitude, stops) in BRIGHT {
         let what = format!("magnitude {magnitude} at {stops} stops");
-        let field = one_star(&scene, magnitude, stops);
-        let renderer = Renderer::new(&gpu, &black()).unwrap().with_stars(&field);
-        let mut live = Live::new(renderer, &scene.row, picture, &[0.05]);
-        live.show(&scene, Show::Picture);
-        Stopwatch::new(&gpu).submit(&gpu, &live);
-        let shown = on_screen(&gpu, &live, picture, &scene);
-        let by_cpu = on_cpu(&scene, &field).srgb(0.0);
+        let field = one_star(&lens, magnitude, stops);
+        let mut live = RealtimeRenderer::new(renderer.clone(), picture);
+        let resident = block_on(renderer.upload(&scene(&lens, &field))).unwrap();
+        live.show(&resident, FrameContent::Picture);
+        Stopwatch::new(gpu).submit(gpu, &live);
+        let shown = on_screen(gpu, &live, picture, &lens.camera);
+        let by_cpu = on_cpu(&lens, &field).srgb(0.0);
         let difference = PictureDifference::on_screen(&by_cpu, &shown);
         println!("{what}: {difference:?}");
         assert!(difference.over_two <= 4, "{what}: {difference:?}");
-        let large = on_screen(&gpu, &live, picture, &enlarged);
+        let large = on_screen(gpu, &live, picture, &enlarged);
         for (i, pixel) in shown.iter().enumerate() {
-            // Enlarged by two, a pixel in the midst of like ones is four of the same.
+            // Enlarged by two, a pixel among similar ones becomes four similar ones.
             let (column, row) = (i as u32 % picture[0], i as u32 / picture[0]);
             let of_four = large[(2 * row * 2 * picture[0] + 2 * column) as usize];
             if pixel.iter().all(|c| *c >= 100) {
@@ -172,30 +180,36 @@ fn however_bright_a_star_the_window_shows_it_as_the_cpu_draws_it() {
     }
 }
 
-/// `count` stars within a hundredth of a pixel, each of this light more or less: sums of equal floats would be
-/// rounded the same way each time.
-fn heap(scene: &Scene, count: u32, light: f32, aside: f64) -> Vec<PointStar> {
+/// `count` stars within a hundredth of a pixel, each of about this light. Their light varies because sums of equal
+/// floats would be rounded in the same direction each time.
+fn star_cluster(lens: &Lens, count: u32, light: f32, aside: f64) -> Vec<PointStar> {
     let mut random = fastrand::Rng::with_seed(11);
     // The pixels are 3e-3 rad wide.
     let mut star = |_| PointStar {
-        direction: place(scene, [aside + 1e-5 * random.f64(), 1e-5 * random.f64()]),
+        direction: place(lens, [aside + 1e-5 * random.f64(), 1e-5 * random.f64()]),
         light: Vec3::new(1.0, 0.5, 0.25) * (light * (0.5 + random.f32())),
     };
     (0..count).map(&mut star).collect()
 }
 
-/// Stars in one place, and the light of each in white pixels: in the core alone, and in halos too.
+/// Numbers of stars in one place, and the light of each in white pixels: drawn as cores alone, and with halos.
 const MANY: [(u32, f32); 4] = [(60_000, 0.5), (80_000, 0.5), (200_000, 0.5), (80_000, 3.0)];
 
 #[test]
 fn the_cpu_keeps_the_light_of_many_stars_in_one_pixel() {
-    let scene = scene(Method::Lut);
+    let lens = lens(&VIEW, Deflection::Lut);
     for (count, each) in MANY {
-        let found = light(&on_cpu(&scene, &field(heap(&scene, count, each, 0.0))));
+        let found = light(&on_cpu(
+            &lens,
+            &field(star_cluster(&lens, count, each, 0.0)),
+        ));
         // One star with the light of all of them has the same images, in f64.
-        let stars = heap(&scene, count, each, 0.0);
-        let magnification = light(&on_cpu(&scene, &field(heap(&scene, 1, 1.0, 0.0))))
-            / heap(&scene, 1, 1.0, 0.0).iter().map(channels).sum::<f64>();
+        let stars = star_cluster(&lens, count, each, 0.0);
+        let magnification = light(&on_cpu(&lens, &field(star_cluster(&lens, 1, 1.0, 0.0))))
+            / star_cluster(&lens, 1, 1.0, 0.0)
+                .iter()
+                .map(channels)
+                .sum::<f64>();
         let expected = magnification * stars.iter().map(channels).sum::<f64>();
         same_light(found, expected, 1e-4, &format!("{count} stars of {each}"));
     }
@@ -204,13 +218,19 @@ fn the_cpu_keeps_the_light_of_many_stars_in_one_pixel() {
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn the_gpu_keeps_the_light_of_many_stars_in_one_pixel() {
-    let gpu = gpu();
-    for method in [Method::Lut, Method::Direct { step: 0.05 }, Method::Flat] {
+    let renderer = renderer();
+    for method in [
+        Deflection::Lut,
+        Deflection::Direct { step: 0.05 },
+        Deflection::Flat,
+    ] {
         for sampling in [Sampling::Single, Sampling::Filtered] {
-            let scene = scene(method).sampled(sampling);
+            let lens = lens(&VIEW, method);
             for (count, each) in MANY {
-                let field = field(heap(&scene, count, each, 0.0));
-                let [by_cpu, by_gpu] = [on_cpu(&scene, &field), on_gpu(&gpu, &scene, &field)];
+                let field = field(star_cluster(&lens, count, each, 0.0));
+                let scene = scene(&lens, &field).with_sampling(sampling);
+                let by_cpu = cpu::render(&scene, || ());
+                let by_gpu = lensbake_tests::on_gpu(&renderer, &scene);
                 let what = format!("{count} stars of {each}, {method:?}, {sampling:?}");
                 same_light(light(&by_gpu), light(&by_cpu), 1e-4, &what);
                 let difference = PictureDifference::of(&by_cpu, &by_gpu);
@@ -220,15 +240,16 @@ fn the_gpu_keeps_the_light_of_many_stars_in_one_pixel() {
     }
 }
 
-/// Heaps of different heights beside each other, each in its own pixels.
+/// Groups of different numbers of stars beside each other, each in its own pixels.
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn the_gpu_keeps_the_light_of_many_heaps_of_stars() {
-    let gpu = gpu();
-    let scene = scene(Method::Lut);
-    let heaps = (0..12).flat_map(|i| heap(&scene, 9_000 * i, 0.5, 0.02 * f64::from(i) - 0.12));
+    let renderer = renderer();
+    let lens = lens(&VIEW, Deflection::Lut);
+    let heaps =
+        (0..12).flat_map(|i| star_cluster(&lens, 9_000 * i, 0.5, 0.02 * f64::from(i) - 0.12));
     let field = field(heaps.collect());
-    let [by_cpu, by_gpu] = [on_cpu(&scene, &field), on_gpu(&gpu, &scene, &field)];
+    let [by_cpu, by_gpu] = [on_cpu(&lens, &field), on_gpu(&renderer, &lens, &field)];
     same_light(light(&by_gpu), light(&by_cpu), 1e-4, "twelve heaps");
     let difference = PictureDifference::of(&by_cpu, &by_gpu);
     assert!(difference.over_two == 0, "{difference:?}");

@@ -1,99 +1,104 @@
-//! The window says so when the GPU has no room for all stars: what a live picture tells of its last frames.
+//! The realtime renderer's report on whether the GPU had room for all stars, from which the window's notice is
+//! made.
 
-use glam::Vec3;
-use lensbake_tables::default_atlas;
-use lensbake_tests::gpu;
+use lensbake_render::camera::View;
+use lensbake_render::gpu::{
+    FrameContent, RealtimeRenderer, ResidentScene, StarLight, StarsOnDevice, Stopwatch,
+};
+use lensbake_render::lens::Deflection;
+use lensbake_render::scene::Scene;
+use lensbake_render::stars::{self, StarField};
+use lensbake_tests::stars::black;
+use lensbake_tests::{lens, renderer};
+use pollster::block_on;
 use std::time::{Duration, Instant};
-use viewer::camera::{Camera, View};
-use viewer::gpu::{Gpu, Live, Renderer, Show, StarLight, Stopwatch};
-use viewer::scene::{Method, Scene};
-use viewer::sky::Sky;
-use viewer::stars::{self, StarField};
 
-fn scene() -> Scene {
-    let view = View {
-        width: 160,
-        height: 90,
-        ..View::default()
-    };
-    Scene::new(Camera::new(&view).unwrap(), default_atlas(), Method::Lut).unwrap()
+/// A realtime renderer, its stopwatch, and its scene without stars.
+struct RealtimeFixture {
+    realtime: RealtimeRenderer,
+    stopwatch: Stopwatch,
+    scene: ResidentScene,
 }
 
-fn live(gpu: &Gpu, scene: &Scene, stops: Option<f64>) -> Live {
-    let renderer = Renderer::new(gpu, &Sky::from_fn(1, |_| Vec3::ZERO)).unwrap();
-    let size = [scene.camera.width, scene.camera.height];
-    let mut live = Live::new(renderer, &scene.row, size, &[0.05]);
-    live.set_stars(field(stops).as_ref());
-    live
-}
-
-fn field(stops: Option<f64>) -> Option<StarField> {
-    stops.map(|stops| StarField::new(&stars::hipparcos(), stops))
-}
-
-/// What a frame tells, when it has come back.
-fn report(gpu: &Gpu, stopwatch: &Stopwatch, live: &mut Live, scene: &Scene) -> StarLight {
-    live.show(scene, Show::Picture);
-    stopwatch.submit(gpu, live);
-    let since = Instant::now();
-    loop {
-        gpu.poll().unwrap();
-        if let Some(light) = live.star_light() {
-            return light;
+impl RealtimeFixture {
+    fn new() -> Self {
+        let view = View {
+            width: 160,
+            height: 90,
+            ..View::default()
+        };
+        let renderer = renderer();
+        let scene = Scene::new(lens(&view, Deflection::Lut), black());
+        RealtimeFixture {
+            stopwatch: Stopwatch::new(renderer.gpu()),
+            scene: block_on(renderer.upload(&scene)).unwrap(),
+            realtime: RealtimeRenderer::new(renderer, [160, 90]),
         }
-        assert!(live.awaits_star_light(), "nothing is on its way");
-        assert!(since.elapsed() < Duration::from_secs(60), "no word comes");
+    }
+
+    /// The stars of Hipparcos at this exposure.
+    fn stars(&self, stops: f64) -> StarsOnDevice {
+        let field = StarField::new(&stars::hipparcos(), stops);
+        self.realtime.renderer().upload_stars(&field)
+    }
+
+    fn draw(&mut self, stars: Option<&StarsOnDevice>) {
+        self.scene.stars = stars.cloned();
+        self.realtime.show(&self.scene, FrameContent::Picture);
+        let gpu = self.realtime.renderer().gpu();
+        self.stopwatch.submit(gpu, &self.realtime);
+    }
+
+    /// Draws a frame and waits for its report.
+    fn report(&mut self, stars: &StarsOnDevice) -> StarLight {
+        self.draw(Some(stars));
+        let since = Instant::now();
+        loop {
+            self.realtime.renderer().gpu().poll().unwrap();
+            if let Some(light) = self.realtime.star_light() {
+                return light;
+            }
+            assert!(self.realtime.awaits_star_light(), "nothing is on its way");
+            assert!(since.elapsed() < Duration::from_secs(60), "no word comes");
+        }
     }
 }
 
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn a_live_picture_tells_whether_it_has_the_light_of_all_stars() {
-    let gpu = gpu();
-    let scene = scene();
-    let stopwatch = Stopwatch::new(&gpu);
-    let mut live = live(&gpu, &scene, Some(0.0));
+    let mut live = RealtimeFixture::new();
+    let few = live.stars(0.0);
     for _ in 0..10 {
-        let light = report(&gpu, &stopwatch, &mut live, &scene);
-        assert_eq!(light, StarLight::Whole);
-        assert!(!live.awaits_star_light(), "all have come back");
+        assert_eq!(live.report(&few), StarLight::Whole);
+        assert!(!live.realtime.awaits_star_light(), "all have come back");
     }
-    // So bright that each has halos: more than two million places of lists.
-    live.set_stars(field(Some(12.0)).as_ref());
+    // So bright that each has halos: more than two million nodes.
+    let bright = live.stars(12.0);
     for _ in 0..2 {
-        let light = report(&gpu, &stopwatch, &mut live, &scene);
-        assert_eq!(light, StarLight::PartLost);
+        assert_eq!(live.report(&bright), StarLight::PartLost);
     }
-    live.set_stars(field(Some(0.0)).as_ref());
-    let light = report(&gpu, &stopwatch, &mut live, &scene);
-    assert_eq!(light, StarLight::Whole);
+    assert_eq!(live.report(&few), StarLight::Whole);
 }
 
-/// A window draws on without asking, and asks when it likes.
+/// A window may draw many frames before it reads a report.
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn frames_that_nobody_asks_about_do_no_harm() {
-    let gpu = gpu();
-    let scene = scene();
-    let stopwatch = Stopwatch::new(&gpu);
-    let mut live = live(&gpu, &scene, Some(12.0));
+    let mut live = RealtimeFixture::new();
+    let bright = live.stars(12.0);
     for _ in 0..6 {
-        live.show(&scene, Show::Picture);
-        stopwatch.submit(&gpu, &live);
+        live.draw(Some(&bright));
     }
-    gpu.wait().unwrap();
-    let light = report(&gpu, &stopwatch, &mut live, &scene);
-    assert_eq!(light, StarLight::PartLost);
+    block_on(live.realtime.renderer().gpu().wait()).unwrap();
+    assert_eq!(live.report(&bright), StarLight::PartLost);
 }
 
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn without_stars_there_is_nothing_to_tell() {
-    let gpu = gpu();
-    let scene = scene();
-    let mut live = live(&gpu, &scene, None);
-    live.show(&scene, Show::Picture);
-    Stopwatch::new(&gpu).submit(&gpu, &live);
-    assert_eq!(live.star_light(), None);
-    assert!(!live.awaits_star_light());
+    let mut live = RealtimeFixture::new();
+    live.draw(None);
+    assert_eq!(live.realtime.star_light(), None);
+    assert!(!live.realtime.awaits_star_light());
 }

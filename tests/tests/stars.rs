@@ -1,38 +1,39 @@
-//! Point stars as they are drawn: against root-finding on the closed form, on the CPU and on the GPU.
+//! Drawn point stars against root-finding on the closed form, on the CPU and on the GPU.
 
 use glam::{DVec2, DVec3, Vec3};
 use lensbake_core::Observer;
-use lensbake_tables::default_atlas;
-use lensbake_tests::gpu;
-use lensbake_tests::stars::{black, on_cpu, on_gpu};
+use lensbake_render::camera::View;
+use lensbake_render::cpu;
+use lensbake_render::diff::PictureDifference;
+use lensbake_render::lens::{Deflection, Lens};
+use lensbake_render::picture::Picture;
+use lensbake_render::scene::Scene;
+use lensbake_render::sky::Sky;
+use lensbake_render::stars::images::{ImageOrder, MIN_LIGHT};
+use lensbake_render::stars::{self, PointStar, StarField};
+use lensbake_studies::flicker::{ExactImage, exact_image};
+use lensbake_tests::stars::scene;
+use lensbake_tests::{lens, on_gpu, renderer};
 use std::f64::consts::TAU;
-use viewer::camera::{Camera, View};
-use viewer::diff::PictureDifference;
-use viewer::flicker::{ExactImage, exact_image};
-use viewer::gpu::Renderer;
-use viewer::picture::Picture;
-use viewer::scene::{Method, Scene};
-use viewer::sky::Sky;
-use viewer::stars::images::{FAINTEST, Way};
-use viewer::stars::{self, PointStar, StarField};
+use std::sync::Arc;
 
-fn scene(view: &View, method: Method) -> Scene {
-    Scene::new(Camera::new(view).unwrap(), default_atlas(), method).unwrap()
+fn on_cpu(scene: &Scene) -> Picture {
+    cpu::render(scene, || ())
 }
 
 /// One star of this light at `beta` from the direction of the hole, to the right of it.
-fn one_star(scene: &Scene, beta: f64, light: f64, disc_radius: f64) -> StarField {
+fn one_star(lens: &Lens, beta: f64, light: f64, disc_radius: f64) -> StarField {
     let in_hole = DVec3::new(beta.sin(), 0.0, -beta.cos());
     StarField {
         stars: vec![PointStar {
-            direction: scene.camera.sky_from_hole * in_hole,
+            direction: lens.camera.sky_from_hole * in_hole,
             light: Vec3::splat(light as f32),
         }],
         disc_radius,
     }
 }
 
-/// The light within 6 pixels of a point of the picture, and its centre.
+/// The light within 6 pixels of a point of the picture, and its centroid.
 fn light_near(picture: &Picture, at: DVec2) -> (f64, DVec2) {
     let (mut sum, mut centre) = (0.0, DVec2::ZERO);
     for (i, pixel) in picture.pixels().iter().enumerate() {
@@ -46,11 +47,11 @@ fn light_near(picture: &Picture, at: DVec2) -> (f64, DVec2) {
     (sum, centre / sum)
 }
 
-/// The angle of a pixel in the middle of 1920 × 1080 pixels at 90°, rad.
+/// Angular size of a pixel in the middle of a picture of 1920 × 1080 pixels and 90°, rad.
 const PIXEL: f64 = 2.0 / 1920.0;
 
-/// How many times finer the pixels must be than [`PIXEL`] for the image at `target` to be clear of the halo of
-/// a brighter one on its side.
+/// Factor by which pixels must be finer than [`PIXEL`] for the image `target` to be clear of the halo of a
+/// brighter image on its side.
 fn zoom(roots: &[ExactImage], target: &ExactImage) -> f64 {
     let brighter = roots
         .iter()
@@ -60,13 +61,13 @@ fn zoom(roots: &[ExactImage], target: &ExactImage) -> f64 {
 }
 
 /// Draws the first four images of a star at `beta` one by one, each with the light of one white pixel, in the
-/// middle of a picture, and compares place and light.
-fn check_images(draw: impl Fn(&Scene, &StarField) -> Picture, radius: f64, beta: f64) {
+/// middle of a picture, and compares position and light.
+fn check_images(draw: impl Fn(&Scene) -> Picture, radius: f64, beta: f64) {
     let observer = Observer::at(radius).unwrap();
-    let ways: Vec<Way> = Way::all().flatten().collect();
-    let roots: Vec<ExactImage> = ways
+    let orders: Vec<ImageOrder> = ImageOrder::all().flatten().collect();
+    let roots: Vec<ExactImage> = orders
         .iter()
-        .map(|way| exact_image(&observer, beta, *way).unwrap())
+        .map(|order| exact_image(&observer, beta, *order).unwrap())
         .collect();
     for target in &roots[..4] {
         let zoom = zoom(&roots, target);
@@ -74,7 +75,7 @@ fn check_images(draw: impl Fn(&Scene, &StarField) -> Picture, radius: f64, beta:
             radius,
             orbit_deg: 33.0,
             latitude_deg: 11.0,
-            // A little aside, so that it falls between the pixels.
+            // A little aside, so that the image falls between pixel centres.
             yaw_deg: (target.side * target.theta).to_degrees() + 0.123 / zoom,
             pitch_deg: 0.456 / zoom,
             roll_deg: 10.0,
@@ -82,21 +83,21 @@ fn check_images(draw: impl Fn(&Scene, &StarField) -> Picture, radius: f64, beta:
             width: 192,
             height: 108,
         };
-        let scene = scene(&view, Method::Lut);
+        let lens = lens(&view, Deflection::Lut);
         let light = 1.0 / target.magnification;
-        let picture = draw(&scene, &one_star(&scene, beta, light, 1e-8));
-        // What is seen there: the image itself, and those that wind further but lie in the same pixels.
+        let picture = draw(&scene(&lens, &one_star(&lens, beta, light, 1e-8)));
+        // Expected there: the image itself, and those of higher order that lie in the same pixels.
         let (mut expected, mut centre) = (0.0, DVec2::ZERO);
         let position = |root: &ExactImage| {
             let (sin, cos) = root.theta.sin_cos();
             let direction = DVec3::new(root.side * sin, 0.0, -cos);
-            scene.camera.project(direction)
+            lens.camera.project(direction)
         };
         let place = position(target).unwrap();
         for root in &roots {
             let part = light * root.magnification;
             let near = position(root).filter(|at| (at - place).length() < 6.0);
-            if let Some(at) = near.filter(|_| part >= f64::from(FAINTEST)) {
+            if let Some(at) = near.filter(|_| part >= f64::from(MIN_LIGHT)) {
                 expected += part;
                 centre += part * at;
             }
@@ -120,7 +121,7 @@ fn check_images(draw: impl Fn(&Scene, &StarField) -> Picture, radius: f64, beta:
     }
 }
 
-/// Radius and angle of the star from the hole: near the axis, aside, and behind the camera.
+/// Radius of the camera, and angle of the star from the hole: near the axis, aside, and behind the camera.
 const CASES: [(f64, f64); 7] = [
     (25.0, 0.02),
     (25.0, 0.3),
@@ -141,9 +142,9 @@ fn the_cpu_draws_four_images_where_and_as_bright_as_they_are() {
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn the_gpu_draws_four_images_where_and_as_bright_as_they_are() {
-    let gpu = gpu();
+    let renderer = renderer();
     for (radius, beta) in CASES {
-        check_images(|scene, field| on_gpu(&gpu, scene, field), radius, beta);
+        check_images(|scene| on_gpu(&renderer, scene), radius, beta);
     }
 }
 
@@ -157,7 +158,7 @@ fn half_size(radius: f64) -> View {
     }
 }
 
-/// A star on the axis: the light by direction about the middle of the picture in 24 parts, and in all.
+/// The light of a ring in 24 sectors about the middle of the picture, and its sum.
 fn ring(picture: &Picture) -> (Vec<f64>, f64) {
     let mut parts = vec![0.0; 24];
     for (i, pixel) in picture.pixels().iter().enumerate() {
@@ -171,21 +172,21 @@ fn ring(picture: &Picture) -> (Vec<f64>, f64) {
     (parts, sum)
 }
 
-fn check_ring(draw: impl Fn(&Scene, &StarField) -> Picture) {
-    let scene = scene(&half_size(25.0), Method::Lut);
-    // sin θ dθ/dϑ at ϑ = 0, −2π: the disc's mean magnification is 2/ρ of it for either of two images.
-    let observer = &scene.camera.observer;
+fn check_ring(draw: impl Fn(&Scene) -> Picture) {
+    let lens = lens(&half_size(25.0), Deflection::Lut);
+    // sin θ dθ/dϑ at ϑ = 0, −2π: the mean magnification of the disc is 2/ρ times this for each of the two images.
+    let observer = &lens.camera.observer;
     let on_axis = |windings| {
-        let way = Way {
+        let order = ImageOrder {
             side: 1.0,
             windings,
         };
-        exact_image(observer, 1e-6, way).unwrap().magnification * 1e-6
+        exact_image(observer, 1e-6, order).unwrap().magnification * 1e-6
     };
     for radius in [1.5e-8, 1e-4] {
         let light = 1e3 * radius;
         let expected = 4.0 / radius * light * (on_axis(0) + on_axis(1));
-        let (parts, sum) = ring(&draw(&scene, &one_star(&scene, 0.0, light, radius)));
+        let (parts, sum) = ring(&draw(&scene(&lens, &one_star(&lens, 0.0, light, radius))));
         assert!((sum / expected - 1.0).abs() < 2e-3, "{sum} for {expected}");
         let mean = sum / 24.0;
         for part in &parts {
@@ -195,11 +196,11 @@ fn check_ring(draw: impl Fn(&Scene, &StarField) -> Picture) {
             );
         }
     }
-    // Off the axis by less than its radius: still closed; by more: two arcs.
-    let star = |ratio: f64| one_star(&scene, ratio * 1e-4, 0.1, 1e-4);
-    let (parts, _) = ring(&draw(&scene, &star(0.5)));
+    // Off the axis by less than the disc's radius, the ring is still closed; by more, there are two arcs.
+    let star = |ratio: f64| one_star(&lens, ratio * 1e-4, 0.1, 1e-4);
+    let (parts, _) = ring(&draw(&scene(&lens, &star(0.5))));
     assert!(parts.iter().all(|part| *part > 0.0), "{parts:?}");
-    let (parts, _) = ring(&draw(&scene, &star(2.0)));
+    let (parts, _) = ring(&draw(&scene(&lens, &star(2.0))));
     let lit = parts.iter().filter(|part| **part > 0.0).count();
     assert!(
         (8..=12).contains(&lit),
@@ -215,21 +216,20 @@ fn on_the_axis_the_cpu_draws_a_closed_ring() {
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn on_the_axis_the_gpu_draws_a_closed_ring() {
-    let gpu = gpu();
-    check_ring(|scene, field| on_gpu(&gpu, scene, field));
+    let renderer = renderer();
+    check_ring(|scene| on_gpu(&renderer, scene));
 }
 
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn the_gpu_draws_the_stars_that_the_cpu_draws() {
-    let gpu = gpu();
+    let renderer = renderer();
     let field = StarField::new(&stars::hipparcos(), 0.0);
-    let renderer = Renderer::new(&gpu, &black()).unwrap().with_stars(&field);
     for (radius, yaw_deg, method) in [
-        (25.0, 0.0, Method::Lut),
-        (2.5, 90.0, Method::Lut),
-        (10.0, 10.0, Method::Direct { step: 0.05 }),
-        (4.0, 20.0, Method::Flat),
+        (25.0, 0.0, Deflection::Lut),
+        (2.5, 90.0, Deflection::Lut),
+        (10.0, 10.0, Deflection::Direct { step: 0.05 }),
+        (4.0, 20.0, Deflection::Flat),
     ] {
         let view = View {
             orbit_deg: 80.0,
@@ -237,11 +237,8 @@ fn the_gpu_draws_the_stars_that_the_cpu_draws() {
             yaw_deg,
             ..half_size(radius)
         };
-        let scene = scene(&view, method);
-        let (on_cpu, on_gpu) = (
-            on_cpu(&scene, &field),
-            renderer.picture(&scene, |_| ()).unwrap(),
-        );
+        let scene = scene(&lens(&view, method), &field);
+        let (on_cpu, on_gpu) = (on_cpu(&scene), on_gpu(&renderer, &scene));
         let sum = |picture: &Picture| {
             let light = picture
                 .pixels()
@@ -263,18 +260,18 @@ fn the_gpu_draws_the_stars_that_the_cpu_draws() {
     }
 }
 
-/// Stars are the same light before any sky, and nothing else changes.
+/// Stars add the same light to any sky, and change nothing else.
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn a_sky_and_its_stars_add_up() {
-    let gpu = gpu();
-    let sky = Sky::from_fn(64, |direction| 0.1 + 0.05 * direction);
+    let renderer = renderer();
+    let sky = Arc::new(Sky::from_fn(64, |direction| 0.1 + 0.05 * direction));
     let field = StarField::new(&stars::hipparcos(), 2.0);
-    let scene = scene(&half_size(8.0), Method::Lut);
-    let plain = Renderer::new(&gpu, &sky).unwrap();
-    let alone = plain.picture(&scene, |_| ()).unwrap();
-    let stars = on_gpu(&gpu, &scene, &field);
-    let both = plain.with_stars(&field).picture(&scene, |_| ()).unwrap();
+    let lens = lens(&half_size(8.0), Deflection::Lut);
+    let plain = Scene::new(lens.clone(), sky);
+    let alone = on_gpu(&renderer, &plain);
+    let stars = on_gpu(&renderer, &scene(&lens, &field));
+    let both = on_gpu(&renderer, &plain.with_stars(field));
     let mut lit = 0;
     for ((both, sky), stars) in both.pixels().iter().zip(alone.pixels()).zip(stars.pixels()) {
         for ((both, sky), stars) in both.iter().zip(sky).zip(stars) {

@@ -1,35 +1,36 @@
-//! What a frame of the window costs on the CPU: from the settings to all that is sent to the GPU before
-//! the dispatches, with a new radius and so a new row in every frame.
+//! CPU cost of a frame of the window: from the settings to the uploads to the GPU, without the dispatches. Each
+//! frame has a new radius and therefore a new row of the table.
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use lensbake_render::camera::View;
+use lensbake_render::gpu::{Gpu, Presenter, RealtimeRenderer, Renderer, StarsOnDevice};
+use lensbake_render::lens::Deflection;
+use lensbake_render::scene::Scene;
+use lensbake_render::sky;
+use lensbake_render::stars::{StarField, hipparcos};
 use lensbake_tables::default_atlas;
+use pollster::block_on;
 use std::time::{Duration, Instant};
-use viewer::camera::View;
-use viewer::gpu::{Gpu, Live, Presenter, Renderer};
-use viewer::scene::Method;
-use viewer::sky;
-use viewer::stars::{StarField, hipparcos};
 use viewer::window::plan::Plan;
 use viewer::window::settings::Settings;
 
 const WINDOW: [u32; 2] = [1920, 1080];
 
 fn preparation(c: &mut Criterion) {
-    let gpu = Gpu::open().unwrap();
-    let renderer = Renderer::new(&gpu, &sky::grid(64)).unwrap();
+    let renderer = Renderer::new(&block_on(Gpu::open()).unwrap());
     let stars = StarField::new(&hipparcos(), 0.0);
-    prepare(c, "prepare a frame with a new radius", renderer.clone());
-    let with_stars = renderer.with_stars(&stars);
-    prepare(c, "the same with 117,955 stars", with_stars);
+    prepare(c, "prepare a frame with a new radius", &renderer, None);
+    let stars = renderer.upload_stars(&stars);
+    prepare(c, "the same with 117,955 stars", &renderer, Some(stars));
 }
 
-fn prepare(c: &mut Criterion, name: &str, renderer: Renderer) {
+fn prepare(c: &mut Criterion, name: &str, renderer: &Renderer, stars: Option<StarsOnDevice>) {
     let gpu = renderer.gpu().clone();
-    let mut settings = Settings::new(View::default(), Method::DEFAULT_STEP);
-    let plan = Plan::new(&settings, default_atlas(), WINDOW, 1.0).unwrap();
-    let mut live = Live::new(renderer, &plan.scene.row, WINDOW, &[settings.step]);
+    let sky = block_on(renderer.upload_sky(&sky::grid(64))).unwrap();
+    let mut settings = Settings::new(View::default(), Deflection::DEFAULT_STEP);
+    let mut realtime = RealtimeRenderer::new(renderer.clone(), WINDOW);
     let format = wgpu::TextureFormat::Bgra8Unorm;
-    let mut presenter = Presenter::new(&gpu, &live, format);
+    let mut presenter = Presenter::new(&gpu, &realtime, format);
     c.bench_function(name, |b| {
         b.iter_custom(|frames| {
             let mut sum = Duration::ZERO;
@@ -37,12 +38,18 @@ fn prepare(c: &mut Criterion, name: &str, renderer: Renderer) {
                 settings.view.radius = 2.5 + 35.0 * (i % 1000) as f64 / 1000.0;
                 let started = Instant::now();
                 let plan = Plan::new(&settings, default_atlas(), WINDOW, 1.0).unwrap();
-                live.show(&plan.scene, plan.show);
-                presenter.show(plan.picture(), &plan.window, plan.showing);
+                let scene = Scene {
+                    lens: plan.lens.clone(),
+                    sampling: plan.sampling,
+                    sky: sky.clone(),
+                    stars: stars.clone(),
+                };
+                realtime.show(&scene, plan.show);
+                presenter.show(plan.picture(), &plan.window, plan.presentation);
                 sum += started.elapsed();
-                // Sends what was written, so that it does not pile up.
+                // Submits the pending writes, so that they do not accumulate.
                 gpu.queue.submit([]);
-                gpu.wait().unwrap();
+                block_on(gpu.wait()).unwrap();
             }
             sum
         });

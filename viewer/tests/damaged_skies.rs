@@ -1,20 +1,21 @@
 #![cfg(unix)]
-//! Damaged skies: the program ends with one line and exit code 2, whatever the file asks for.
+//! Damaged sky files: the program ends with one line and exit code 2, and allocates nothing because of a size that
+//! the file claims.
 
 use exr::prelude::{Blocks, Compression, Vec2};
-use lensbake_tests::Program;
-use lensbake_tests::exr_files::{
+use lensbake_render::sky::{self, SkySource};
+use lensbake_test_support::Program;
+use lensbake_test_support::exr_files::{
     COMPRESSIONS, HEIGHT, Samples, WIDTH, attribute, first_chunk, picture, table_of_chunks, with,
 };
 use std::path::Path;
-use viewer::sky::{self, SkySource};
 
 const VIEWER: Program = Program::at(env!("CARGO_BIN_EXE_viewer"));
-/// Those of the eleven counters at the start of a DWA chunk that an allocation may follow in a file with
-/// lossy channels alone: all but the version, the two of the run lengths of alpha, and the kind of coding.
+/// Indices of those of the eleven counters at the start of a DWA chunk that may set the size of an allocation in a
+/// file with lossy channels only: all but the version, the two run lengths of alpha, and the kind of coding.
 const DWA_COUNTERS: [usize; 7] = [1, 2, 3, 4, 5, 8, 9];
 
-/// Draws before the sky in this file, and checks that the program refuses it in one line that names it.
+/// Draws with this file as the sky, and checks that the program refuses it in one line that names it.
 #[track_caller]
 fn refused(bytes: &[u8], what: &str) {
     let folder = tempfile::tempdir().unwrap();
@@ -52,7 +53,7 @@ fn a_window_of_data_that_the_file_cannot_fill_allocates_nothing() {
         for samples in [Samples::Half, Samples::Float, Samples::Uint] {
             let file = picture(compression, Blocks::ScanLines, samples);
             let window = attribute(&file, "dataWindow");
-            // As wide as can be, and all that is claimed of the display window is untouched.
+            // As wide as possible; the display window is unchanged.
             let wide = with(file.clone(), window + 8, &0x3fff_ff00_u32.to_le_bytes());
             refused(&wide, &format!("{compression:?} {samples:?}, wide"));
             let high = with(file, window + 12, &0x3fff_ff00_u32.to_le_bytes());
@@ -91,8 +92,8 @@ fn tiles_as_large_as_can_be_allocate_nothing() {
 
 #[test]
 fn a_picture_larger_than_its_file_can_hold_allocates_nothing() {
-    // Both windows declare 16384 x 8192 pixels, which a sky may have, in 512 chunks that are all the same
-    // one of 32 x 16 pixels.
+    // Both windows declare 16384 x 8192 pixels, a valid size for a sky. All 512 entries of the chunk table point
+    // to the same chunk of 32 x 16 pixels.
     let mut damaged = picture(Compression::ZIP16, Blocks::ScanLines, Samples::Float);
     let corner = [16383_u32.to_le_bytes(), 8191_u32.to_le_bytes()].concat();
     for window in ["dataWindow", "displayWindow"] {
@@ -111,7 +112,7 @@ fn with_chunk_count(file: Vec<u8>, count: u32) -> Vec<u8> {
     with(file, at, &count.to_le_bytes())
 }
 
-/// Pictures of 16384 x 8192 pixels, which a sky may have, in files that end behind their headers.
+/// Pictures of 16384 x 8192 pixels, a valid size for a sky, in files that end after their headers.
 #[test]
 fn large_pictures_that_are_not_there_are_no_end() {
     refused(b"#?RADIANCE\n\n-Y 8192 +X 16384\n\x02\x02\x40\x00", "HDR");
@@ -143,9 +144,9 @@ fn png(size: [u32; 2], profile: &[u8]) -> Vec<u8> {
     file
 }
 
-/// As zlib packs them: a zero, then 2^31 / 258 times "the last 258 bytes again", in 13 bits each.
+/// A zlib stream: a literal zero, then 2^31 / 258 times "repeat the last byte 258 times", in 13 bits each.
 fn two_gibibytes_of_zeros() -> Vec<u8> {
-    // From the lowest bit on: 1 for the last block, 01 for fixed codes, and the code of the literal 0.
+    // From the lowest bit on: 1 for the last block, 01 for fixed Huffman codes, and the code of the literal 0.
     let (mut bits, mut count) = (0b000_0110_0011_u64, 11);
     let mut packed = vec![0x78, 0x01];
     let mut put = |code: u64, length: u32| {
@@ -165,7 +166,7 @@ fn two_gibibytes_of_zeros() -> Vec<u8> {
     packed
 }
 
-/// Random damage, the same each time: single bytes, words that count much, and cut ends.
+/// Random damage with a fixed seed: single bytes and bits, 32-bit words, and truncation.
 #[test]
 fn random_damage_never_ends_the_program() {
     let mut random = fastrand::Rng::with_seed(17);
@@ -212,7 +213,7 @@ fn is_refused(path: &Path, bytes: &[u8]) -> bool {
     }
 }
 
-/// What the guard must not refuse: every encoding that the decoder has.
+/// The guard must not refuse any encoding that the decoder supports.
 #[test]
 fn every_encoding_is_read() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,8 +1,8 @@
-//! What the program does with files, streams and names that it is given, and where there is no screen.
+//! How the program treats files, streams and file names, and what it does without a screen.
 #![cfg(unix)]
 
-use lensbake_tests::Program;
-use lensbake_tests::streams::{Spawned, full_device, link, mode, set_mode};
+use lensbake_test_support::Program;
+use lensbake_test_support::streams::{Spawned, full_device, link, mode, set_mode};
 use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::os::unix::ffi::OsStrExt;
@@ -13,19 +13,19 @@ use tempfile::TempDir;
 const VIEWER: Program = Program::at(env!("CARGO_BIN_EXE_viewer"));
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 
-/// A small picture on the CPU, before a sky that is soon made.
+/// A small picture on the CPU, with a sky that is generated quickly.
 const RENDER: [&str; 6] = ["render", "--device", "cpu", "--size", "32x18", "-sgrid"];
 
 fn folder() -> TempDir {
     tempfile::tempdir().unwrap()
 }
 
-fn render(args: &[&OsStr]) -> lensbake_tests::Run {
+fn render(args: &[&OsStr]) -> lensbake_test_support::Run {
     let fixed = RENDER.iter().map(OsStr::new);
     VIEWER.run(&fixed.chain(args.iter().copied()).collect::<Vec<_>>())
 }
 
-fn render_to(output: &Path) -> lensbake_tests::Run {
+fn render_to(output: &Path) -> lensbake_test_support::Run {
     render(&["-o".as_ref(), output.as_os_str()])
 }
 
@@ -70,7 +70,7 @@ fn a_dash_is_standard_output() {
     let file = folder.path().join("p.png");
     render_to(&file).succeeds();
     assert_eq!(fs::read(file).unwrap(), written);
-    // The report of `diff` goes there.
+    // `diff` prints its report there.
     let args = ["diff", "--device", "cpu", "--size", "32x18", "-o", "-"];
     VIEWER.run(&args).refuses(&["report"]);
 }
@@ -97,7 +97,7 @@ fn an_output_over_an_input_is_refused() {
     let (sky, csv, table) = (path("sky.png"), path("s.png"), path("t.png"));
     panorama(&sky);
     fs::write(&csv, "ra,dec,mag\n1,2,3\n").unwrap();
-    fs::write(&table, lensbake_tests::ATLAS).unwrap();
+    fs::write(&table, lensbake_test_support::ATLAS).unwrap();
     for (flag, input) in [("-s", &sky), ("--stars", &csv), ("--table", &table)] {
         let before = fs::read(input).unwrap();
         for command in ["render", "diff"] {
@@ -193,7 +193,7 @@ fn names_with_commas_and_names_that_are_no_text_are_files_too() {
             .run(&fixed.chain(args).collect::<Vec<_>>())
             .succeeds();
     }
-    // A picture of that name that is none is named as it is.
+    // A file name that is not UTF-8 is also refused if there is no such file.
     let nowhere = OsStr::from_bytes(b"nowhere-\xff.png");
     let args = ["-o".as_ref(), out.as_ref(), "-s".as_ref(), nowhere];
     VIEWER
@@ -255,7 +255,7 @@ fn without_a_screen_and_without_a_gpu_too() {
     assert_eq!(run.code, 0, "{run:?}");
     assert!(run.stderr.contains("no window"), "{run:?}");
     assert!(run.stderr.contains("on the CPU"), "{run:?}");
-    // What it draws is what `render` draws of the same view.
+    // It draws the same picture as `render` for this view.
     let mut command = VIEWER.command();
     let other = folder.path().join("other.png");
     command.args(["render", "-dcpu", "--size", "160x90", "-r4", "-sgrid", "-o"]);

@@ -1,7 +1,6 @@
-//! Flags and variables that the programs cannot use: one line says which, and what to do.
+//! Flags and environment variables that the program cannot use: one line says which, and what to do.
 
-use lensbake_tables::container;
-use lensbake_tests::{Program, one_row_of};
+use lensbake_test_support::{Program, one_row_of};
 use std::path::Path;
 use std::process::Command;
 
@@ -48,7 +47,7 @@ fn views_that_are_none_are_refused_by_the_name_of_their_flag() {
     }
 }
 
-/// Runs the viewer with WGPU_BACKEND set; its exit code and what it says.
+/// Runs the viewer with WGPU_BACKEND set; returns its exit code and standard error.
 fn with_backend(backend: &str, args: &[&str]) -> (Option<i32>, String) {
     let run = Command::new(env!("CARGO_BIN_EXE_viewer"))
         .args(args)
@@ -65,7 +64,7 @@ fn an_unknown_backend_is_named_with_those_that_are_known() {
     let out = folder.path().join("out.png");
     let out = out.to_str().unwrap();
     let draw = ["render", "--size", "16x9", "-s", "grid", "-o", out, "-d"];
-    // No backend of the platform; one of another platform; one good and one that is none.
+    // An unknown backend; one of another platform; a list of a valid and an unknown one.
     let other = if cfg!(target_os = "macos") {
         "dx12"
     } else {
@@ -89,7 +88,7 @@ fn an_unknown_backend_is_named_with_those_that_are_known() {
             }
             assert!(!stderr.contains("install"), "{stderr}");
         }
-        // The CPU asks for no backend.
+        // Drawing on the CPU needs no backend.
         let (code, stderr) = with_backend(backend, &[&draw[..], &["cpu"]].concat());
         assert_eq!(code, Some(0), "{stderr}");
     }
@@ -112,7 +111,7 @@ fn tables_of_any_length_are_drawn_with_on_a_gpu() {
     let file = |name: &str| folder.path().join(name);
     for texels in [8192, 8193, 65_536] {
         let table = file("long.lbt");
-        container::write(&table, &one_row_of(4.0, texels)).unwrap();
+        lensbake_test_support::write_table(&table, &one_row_of(4.0, texels));
         let draw = |device: &str, name: &str| {
             let (table, out) = (table.to_str().unwrap(), file(name));
             let args = [

@@ -1,6 +1,6 @@
 //! `viewer flicker`, run as a user runs it.
 
-use lensbake_tests::Program;
+use lensbake_test_support::Program;
 use std::fs;
 
 const VIEWER: Program = Program::at(env!("CARGO_BIN_EXE_viewer"));
@@ -12,7 +12,7 @@ fn a_short_orbit_of_few_stars_is_measured_and_drawn() {
     let few = ["--frames", "16", "--stars", "2", "--size", "160x90"];
     let args = ["flicker", "--device", "cpu", "-o", output.to_str().unwrap()];
     let run = VIEWER.run(&[&args[..], &few].concat()).succeeds();
-    // Two lines say what is in the columns.
+    // Two header lines name the columns.
     assert_eq!(run.stdout.lines().count(), 2 + 2, "{run:?}");
     let csv = fs::read_to_string(output.join("flicker.csv")).unwrap();
     let lines: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();

@@ -1,6 +1,6 @@
-//! The least model and the chart as the real program has them.
+//! The least model and the chart, as the real program computes them.
 
-use lensbake_tests::{Program, Run};
+use lensbake_test_support::{Program, Run};
 use std::path::Path;
 
 fn viewer(args: &[&str]) -> Run {
@@ -88,7 +88,7 @@ fn diff_measures_what_was_predicted_of_the_least_model() {
     let predicted: f64 = words[words.iter().position(|w| *w == "px,").unwrap() - 1]
         .parse()
         .unwrap();
-    // The second line of the lookup's errors holds those in pixels.
+    // The second line of the lookup's errors is in pixels.
     let measured = pixels(
         run.stdout
             .lines()

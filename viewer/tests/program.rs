@@ -1,7 +1,6 @@
 //! The real program: what it prints, what it draws, and how it ends.
 
-use lensbake_tables::container;
-use lensbake_tests::{Damaged, Program, damaged_tables, one_row};
+use lensbake_test_support::{Damaged, Program, damaged_tables, one_row};
 use std::path::Path;
 use tempfile::TempDir;
 
@@ -179,7 +178,7 @@ fn views_that_are_none_are_refused_in_one_line() {
 fn a_row_for_one_observer_refuses_another() {
     let folder = folder();
     let (table, out) = (path(&folder, "r10.exr"), path(&folder, "out.png"));
-    container::write(Path::new(&table), &one_row(10.0)).unwrap();
+    lensbake_test_support::write_table(Path::new(&table), &one_row(10.0));
     let render = |r| {
         let size = ["--size", "32x18", "--device", "cpu", "-s", "grid"];
         VIEWER.run(
@@ -205,7 +204,7 @@ fn typos_are_told_with_a_hint() {
 fn stars_are_drawn_before_any_sky_and_from_a_persons_own_catalogue() {
     let folder = folder();
     let (csv, out) = (path(&folder, "my.csv"), path(&folder, "out.png"));
-    // One star in the middle of the picture: the hole is far, and to its side.
+    // One star in the middle of the picture; the hole is far away and beside the star.
     std::fs::write(&csv, "ra,dec,mag\n30,10,-1\n").unwrap();
     let render = |sky: &str, stars: &[&str]| {
         let scene = [
@@ -216,7 +215,7 @@ fn stars_are_drawn_before_any_sky_and_from_a_persons_own_catalogue() {
         image::open(&out).unwrap().into_rgb8()
     };
     let picture = render("stars", &["--stars", &csv]);
-    // White, as far as the tone map lets anything be.
+    // As white as the tone map permits.
     let middle = picture.get_pixel(32, 18).0;
     assert!(middle.iter().all(|&c| c >= 250), "{middle:?}");
     assert_eq!(picture.get_pixel(2, 2).0, [0; 3]);
@@ -237,7 +236,7 @@ fn catalogues_that_are_none_are_refused_in_one_line() {
         ];
         VIEWER.run(&[&args[..], &[stars, "-o", &out]].concat())
     };
-    let mut truncated = viewer::stars::to_bytes(&viewer::stars::hipparcos());
+    let mut truncated = lensbake_render::stars::to_bytes(&lensbake_render::stars::hipparcos());
     truncated.truncate(1000);
     let junk: Vec<u8> = (0..10_000_u32).map(|i| ((i * i) >> 3) as u8).collect();
     let cases: [(&str, &[u8], &str); 8] = [
@@ -304,7 +303,7 @@ fn a_million_lines_load() {
     assert!(lit.pixels().filter(|p| p.0[1] > 0).count() > 5000);
 }
 
-/// The heat map, the pictures and both integrators where a pixel looks straight away from the hole.
+/// Heat map, pictures and both integrators for a pixel that looks straight away from the hole.
 #[test]
 fn a_pixel_straight_away_from_the_hole_is_like_any_other() {
     let folder = folder();
@@ -331,7 +330,7 @@ fn a_pixel_straight_away_from_the_hole_is_like_any_other() {
     }
 }
 
-/// So narrow a field of view that 32-bit floats can't tell its pixels apart.
+/// A field of view so narrow that 32-bit floats cannot resolve its pixels.
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn what_32_bits_cannot_draw_is_drawn_on_the_cpu_or_said() {
@@ -357,7 +356,7 @@ fn what_32_bits_cannot_draw_is_drawn_on_the_cpu_or_said() {
     assert!(auto.stderr.contains("32-bit"), "{auto:?}");
     assert!(auto.stderr.contains("drawn on the CPU"), "{auto:?}");
     assert_eq!(by_auto, draw("cpu", "0.0001").1);
-    // What it can draw goes on without a word.
+    // A view that the GPU can draw gives no message.
     for device in ["gpu", "auto"] {
         let (run, _) = draw(device, "20");
         assert!(!run.stderr.contains("32-bit"), "{run:?}");

@@ -1,19 +1,19 @@
-//! Random keys, drags, resizes and dropped files, good and bad, for a while: the window stays alive, says
-//! nothing of a panic and does not grow. Half a minute, or `LENSBAKE_SOAK_S` seconds.
+//! Soak test: random keys, drags, resizes and dropped files, valid and invalid, for half a minute or
+//! `LENSBAKE_SOAK_S` seconds. The window stays alive, reports no panic, and its memory does not grow.
 #![cfg(target_os = "linux")]
 
 use fastrand::Rng;
-use lensbake_tests::desktop::{Desktop, WindowedProgram};
-use lensbake_tests::{coarse_atlas, one_row, one_row_of};
+use lensbake_test_support::desktop::{Desktop, WindowedProgram};
+use lensbake_test_support::{coarse_atlas, one_row, one_row_of};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 const USUAL_S: u64 = 30;
-/// Before memory is measured, until allocators and drivers have the room that they keep.
+/// Time before memory is measured, in which allocators and drivers reach the size that they keep.
 const WARM_UP: Duration = Duration::from_secs(30);
-/// The part by which memory may grow.
+/// Largest allowed growth of memory, as a part of the memory before.
 const GROWTH: f64 = 0.05;
-/// All keys but the one that ends the program.
+/// Keys to press; the key that ends the program is not among them.
 const KEYS: [&str; 17] = [
     "r",
     "z",
@@ -44,7 +44,7 @@ const SIZES: [(u32, u32); 7] = [
     (64, 64),
 ];
 
-/// Files to drop: skies, tables, and what is neither.
+/// Files to drop: skies, tables, and files that are neither.
 fn files(folder: &Path) -> Vec<PathBuf> {
     let file = |name: &str| folder.join(name);
     let picture = |width, height| {
@@ -54,7 +54,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     picture(100, 100).save(file("square.png")).unwrap();
     std::fs::write(file("text.jpg"), "no picture at all").unwrap();
     std::fs::write(file("empty.png"), "").unwrap();
-    let table = |name: &str, table| lensbake_tables::container::write(&file(name), &table).unwrap();
+    let table = |name: &str, table| lensbake_test_support::write_table(file(name), &table);
     table("coarse.lbt", coarse_atlas());
     table("coarse.exr", coarse_atlas());
     table("r10.lbt", one_row(10.0));
@@ -76,7 +76,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     all
 }
 
-/// Does one thing at random.
+/// Sends one random input.
 fn stir(window: &mut WindowedProgram, files: &[PathBuf], rng: &mut Rng) {
     window.still_runs("the soak is over");
     let (x, y) = (rng.u32(0..640).to_string(), rng.u32(0..360).to_string());
@@ -104,7 +104,7 @@ fn stir(window: &mut WindowedProgram, files: &[PathBuf], rng: &mut Rng) {
     }
 }
 
-/// Brings the window to one and the same state, and returns its memory there.
+/// Brings the window to a fixed state, and returns its memory there.
 fn settled_memory(window: &mut WindowedProgram, files: &[PathBuf]) -> u64 {
     window.resize(640, 360);
     let panorama = files.iter().find(|f| f.ends_with("panorama.png")).unwrap();
@@ -133,7 +133,7 @@ fn the_window_stays_alive_and_does_not_grow() {
     let mut window = desktop.start(viewer, &["--size", "640x360"], pictures.path());
     window.shows("a picture", |shot| shot.pixels.iter().any(|p| *p != [0; 3]));
 
-    // All that is made once is made before memory is measured: skies, pipelines, the largest pictures.
+    // What is created only once is created before memory is measured: skies, pipelines, the largest pictures.
     for keys in [
         ["z", "z", "z"],
         ["m", "m", "m"],

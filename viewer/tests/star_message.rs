@@ -1,7 +1,7 @@
 //! The window says so when the GPU has no room for all stars.
 #![cfg(target_os = "linux")]
 
-use lensbake_tests::desktop::Desktop;
+use lensbake_test_support::desktop::Desktop;
 use std::time::Duration;
 
 const VIEWER: &str = env!("CARGO_BIN_EXE_viewer");
@@ -14,9 +14,9 @@ fn the_window_says_once_that_it_has_no_room_for_all_stars() {
     let args = ["--size", "640x360", "-s", "stars", "--star-exposure", "14"];
     let mut window = desktop.start(VIEWER, &args, folder.path());
     let says = |line: &&str| line.contains("stars are missing") && line.contains("--star-exposure");
-    // Though nothing moves: it is said of the first frame.
+    // The message comes after the first frame, although nothing moves.
     window.until("it says so", |w| w.stderr().lines().find(says).map(|_| ()));
-    // Many frames that lack stars are one message.
+    // Many frames with missing stars give one message.
     window.press(&["r"]);
     std::thread::sleep(Duration::from_secs(3));
     assert_eq!(window.stderr().lines().filter(says).count(), 1);

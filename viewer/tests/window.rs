@@ -1,8 +1,8 @@
-//! The real window: the real program on a screen of its own, driven by keys, looked at by screenshots.
+//! The real program on a virtual screen, driven by keys and checked by screenshots.
 #![cfg(target_os = "linux")]
 
-use lensbake_tests::Program;
-use lensbake_tests::desktop::{Desktop, Shot, WindowedProgram};
+use lensbake_test_support::Program;
+use lensbake_test_support::desktop::{Desktop, Shot, WindowedProgram};
 use std::path::Path;
 use std::time::Duration;
 
@@ -32,12 +32,12 @@ fn open(desktop: &Desktop, folder: &Path, args: &[&str]) -> (WindowedProgram, Sh
     (window, shot)
 }
 
-/// All but the strip at the bottom, where messages come and go.
+/// All but the strip at the bottom, where messages are shown.
 fn scene(shot: &Shot) -> Shot {
     shot.part(0..shot.width, 0..shot.height.saturating_sub(60))
 }
 
-/// Whether two pictures are one, but for rounding and messages.
+/// Whether two pictures are the same except for rounding and messages.
 fn alike(shot: &Shot, expected: &Shot) -> bool {
     let distance = scene(shot).distance(&scene(expected));
     distance.is_some_and(|d| d <= ROUNDING)
@@ -48,7 +48,7 @@ fn has_light(shot: &Shot) -> bool {
     lit.count() > shot.pixels.len() / 20
 }
 
-/// The headless program's picture.
+/// The picture that `viewer render` draws.
 fn rendered(folder: &Path, args: &[&str]) -> Shot {
     let path = folder.join("rendered.png");
     let all = [
@@ -71,7 +71,7 @@ fn radius(title: &str) -> f64 {
     title[at..].split(' ').next().unwrap().parse().unwrap()
 }
 
-/// The middle and the number of the black pixels about the hole.
+/// The centre and the number of the black pixels.
 fn black(shot: &Shot) -> (f64, f64, usize) {
     let (mut x, mut y, mut count) = (0, 0, 0);
     for (i, _) in shot
@@ -104,7 +104,7 @@ fn the_window_shows_what_the_headless_program_draws_and_obeys_the_keys() {
     window.press(&["l"]);
     assert_eq!(window.at_rest(), start);
 
-    // V: one ray a pixel and its mean again.
+    // V: one ray per pixel, and the mean again.
     window.press(&["v"]);
     window.shows("one ray a pixel", |shot| *shot != start);
     let single = rendered(folder, &["--sampling", "single"]);
@@ -112,7 +112,7 @@ fn the_window_shows_what_the_headless_program_draws_and_obeys_the_keys() {
     window.press(&["v"]);
     window.shows("the mean", |shot| *shot == start);
 
-    // Z: the four skies and round.
+    // Z: cycles through the four skies.
     for sky in ["starmap", "grid", "stars"] {
         window.press(&["z"]);
         let expected = rendered(folder, &["-s", sky]);
@@ -122,7 +122,7 @@ fn the_window_shows_what_the_headless_program_draws_and_obeys_the_keys() {
     window.press(&["z"]);
     window.shows("nebula", |shot| alike(shot, &start));
 
-    // R: four speeds; the picture moves, faster and faster, and stands still again.
+    // R: cycles through the four speeds; the picture moves, and stands still again.
     for speed in ["1×", "2×", "4×"] {
         window.press(&["r"]);
         window.until(speed, |w| w.title().ends_with(speed).then_some(()));
@@ -153,7 +153,7 @@ fn the_keys_look_away_and_approach_but_not_through_the_horizon() {
         "{x} {y}"
     );
 
-    // The hole goes where the view does not.
+    // The hole moves in the direction opposite to the view.
     for (key, right, down) in [
         ("d", -1.0, 0.0),
         ("a", 1.0, 0.0),
@@ -185,7 +185,7 @@ fn the_keys_look_away_and_approach_but_not_through_the_horizon() {
         window.title()
     );
 
-    // As near as it goes: 1.01, where all that is ahead is black.
+    // As near as possible: r = 1.01, where the whole view ahead is black.
     window.hold("Up", Duration::from_millis(300));
     window.scroll(100);
     window.until("the horizon", |w| {
@@ -230,8 +230,8 @@ fn methods_are_compared_at_any_resolution_and_shots_are_taken() {
     window.press_until("m", "– table –");
     window.shows("table", |shot| *shot == start);
 
-    // Two by two, automatic, a quarter, half: the picture stays the same but for its detail, and the
-    // shadow is as large as it was.
+    // X: the resolutions 2×2, automatic, 1/4 and 1/2 change the detail of the picture, but not the size of the
+    // shadow.
     for resolution in ["2×2", "automatic", "quarter", "half"] {
         window.press(&["x"]);
         let shot = window.at_rest();
@@ -251,7 +251,7 @@ fn methods_are_compared_at_any_resolution_and_shots_are_taken() {
     window.until("a file is there", |_| file.exists().then_some(()));
     assert_eq!(Shot::read(&file), start);
 
-    // Another size, and back.
+    // Another size, and the first again.
     window.resize(320, 200);
     window.shows("smaller", |shot| shot.width == 320 && has_light(shot));
     window.resize(640, 360);
@@ -277,7 +277,7 @@ fn files_are_dropped() {
         w.title().contains("green sky.png").then_some(())
     });
 
-    // What is neither a sky nor a table leaves all as it is, and is named.
+    // A file that is neither a sky nor a table changes nothing and is named.
     let text = folder.join("notes.txt");
     std::fs::write(&text, "no picture").unwrap();
     window.drop_file(&text);
@@ -286,9 +286,9 @@ fn files_are_dropped() {
     });
     assert!(window.title().contains("green sky.png"));
 
-    // A coarse atlas, whose error is seen, but not as another picture.
+    // A coarse atlas, whose error is visible.
     let atlas = folder.join("coarse.lbt");
-    lensbake_tables::container::write(&atlas, &lensbake_tests::coarse_atlas()).unwrap();
+    lensbake_test_support::write_table(&atlas, &lensbake_test_support::coarse_atlas());
     let coarse = rendered(folder, &["--table", atlas.to_str().unwrap()]);
     assert!(!alike(&coarse, &start));
     window.press(&["Home", "z"]);

@@ -1,10 +1,9 @@
-//! The real window in states that are hard to draw: tables of one row, long tables, radii beyond the
-//! slider. Whatever state it is in, it draws, it can be left, and at rest it does nothing.
+//! The real window in unusual states: tables of one row, long tables, radii beyond the slider. In each state it
+//! draws, it can be left, and at rest it does nothing.
 #![cfg(target_os = "linux")]
 
-use lensbake_tables::container;
-use lensbake_tests::desktop::{Desktop, Shot, WindowedProgram};
-use lensbake_tests::{Program, one_row, one_row_of};
+use lensbake_test_support::desktop::{Desktop, Shot, WindowedProgram};
+use lensbake_test_support::{Program, one_row, one_row_of};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -14,12 +13,12 @@ const SIZE: &str = "1000x600";
 /// Largest difference of a channel, of 255, between the window and the headless picture: the window's
 /// picture goes through 16-bit floats.
 const ROUNDING: u8 = 1;
-/// Where the panel shows the radius, pixels of the window.
+/// Position of the radius field in the panel, pixels of the window.
 const RADIUS: (u32, u32) = (230, 63);
-/// The part of a core that a window at rest may take: nothing but the tests' own questions wake it.
+/// Largest CPU share of a window at rest, where 1 is one core: only the test's own queries wake it.
 const AT_REST: f64 = 0.1;
 
-/// A window at rest, its panel open.
+/// A window at rest, with its panel.
 fn open(desktop: &Desktop, folder: &Path, args: &[&str]) -> (WindowedProgram, Shot) {
     let args = [&["--size", SIZE, "-s", "grid"], args].concat();
     let mut window = desktop.start(VIEWER, &args, folder);
@@ -31,7 +30,7 @@ fn open(desktop: &Desktop, folder: &Path, args: &[&str]) -> (WindowedProgram, Sh
     (window, shot)
 }
 
-/// What is right of the panel with its shadow, and above the messages.
+/// The part to the right of the panel with its shadow, and above the messages.
 fn scene(shot: &Shot) -> Shot {
     shot.part(400..1000, 0..480)
 }
@@ -41,13 +40,13 @@ fn alike(shot: &Shot, expected: &Shot) -> bool {
     distance.is_some_and(|d| d <= ROUNDING)
 }
 
-/// Waits until the title bar says something.
+/// Waits until the title bar contains `words`.
 #[track_caller]
 fn says(window: &mut WindowedProgram, words: &str) {
     window.until(words, |w| w.title().contains(words).then_some(()));
 }
 
-/// Drops a file and waits until a message about it is there.
+/// Drops a file and waits until a message about it is shown.
 #[track_caller]
 fn drop_and_hear(window: &mut WindowedProgram, path: &Path) {
     let message = |shot: &Shot| shot.part(400..600, 540..590);
@@ -64,11 +63,11 @@ fn radius(title: &str) -> f64 {
 
 fn table(folder: &Path, name: &str, radius: f64, texels: u32) -> PathBuf {
     let path = folder.join(name);
-    container::write(&path, &one_row_of(radius, texels)).unwrap();
+    lensbake_test_support::write_table(&path, &one_row_of(radius, texels));
     path
 }
 
-/// The headless program's picture.
+/// The picture that `viewer render` draws.
 fn rendered(folder: &Path, args: &[&str]) -> Shot {
     let path = folder.join("rendered.png");
     let to = ["render", "--size", SIZE, "-s", "grid", "-o"];
@@ -77,7 +76,7 @@ fn rendered(folder: &Path, args: &[&str]) -> Shot {
     Shot::read(&path)
 }
 
-/// Checks that the window draws what it is told, and that Escape ends it.
+/// Checks that the window obeys a key, and that Escape ends it.
 #[track_caller]
 fn obeys_and_ends(mut window: WindowedProgram) {
     let before = window.at_rest();
@@ -100,7 +99,7 @@ fn a_table_of_one_row_holds_the_radius_and_home_leads_away_from_it() {
     let ten = table(folder.path(), "r10.lbt", 10.0, 64);
     let (mut window, start) = open(&desktop, folder.path(), &[]);
     window.until("the radius is typed in", |w| {
-        // Again if the keys came before the panel had taken the click.
+        // Repeated if the keys came before the panel had handled the click.
         w.click(RADIUS.0, RADIUS.1);
         std::thread::sleep(Duration::from_millis(300));
         w.press(&["1", "0", "Return"]);
@@ -114,7 +113,7 @@ fn a_table_of_one_row_holds_the_radius_and_home_leads_away_from_it() {
     window.scroll(-3);
     assert!(alike(&window.at_rest(), &at_ten));
     assert_eq!(radius(&window.title()), 10.0);
-    // Only the radius is held.
+    // Only the radius is fixed.
     window.hold("d", Duration::from_millis(300));
     window.shows("another picture", |shot| !alike(shot, &at_ten));
 
@@ -124,7 +123,7 @@ fn a_table_of_one_row_holds_the_radius_and_home_leads_away_from_it() {
     window.hold("Up", Duration::from_millis(300));
     window.until("it moves", |w| (radius(&w.title()) < 25.0).then_some(()));
 
-    // Dropped at another radius it takes the camera to its own.
+    // Dropped at another radius, the table moves the camera to its own.
     drop_and_hear(&mut window, &ten);
     says(&mut window, "r = 10.00 ");
     window.press(&["Home"]);
@@ -144,7 +143,7 @@ fn a_table_of_ten_thousand_texels_is_drawn_with() {
     let (mut window, _) = open(&desktop, folder, &["-r", "10"]);
     drop_and_hear(&mut window, &long);
     window.shows("its picture", |shot| alike(shot, &expected));
-    // It is the table in use: it holds the radius.
+    // It is the table in use: it fixes the radius.
     window.hold("Up", Duration::from_millis(300));
     window.at_rest();
     assert_eq!(radius(&window.title()), 10.0);
@@ -167,7 +166,7 @@ fn radii_beyond_the_slider_are_shown_as_they_were_asked_for() {
         assert_eq!(radius(&window.title()), asked.parse::<f64>().unwrap());
         assert!(alike(&shot, &rendered(folder, &args)));
         assert_rests(&window);
-        // Not farther out, and back in.
+        // The camera cannot go farther out, but back in.
         let [out, back] = if nearer {
             ["Down", "Up"]
         } else {
@@ -193,7 +192,7 @@ fn a_row_far_away_is_drawn_with_and_the_window_rests() {
     let folder = folder.path();
     let desktop = Desktop::new(1280, 800);
     let far = folder.join("r5000.lbt");
-    container::write(&far, &one_row(5000.0)).unwrap();
+    lensbake_test_support::write_table(&far, &one_row(5000.0));
     let args = ["-r", "5000", "--table", far.to_str().unwrap()];
     let (window, shot) = open(&desktop, folder, &args);
     assert_eq!(radius(&window.title()), 5000.0);
@@ -216,7 +215,7 @@ fn windows_wider_than_textures_are_drawn_and_rest() {
     window.shows("its right end", |shot| shot.width == 9000 && lit(shot));
     window.at_rest();
     assert_rests(&window);
-    // Wider than most devices draw: as much of it as they can.
+    // Wider than most devices can draw: they draw a part of it.
     window.resize(20_000, 100);
     window.shows("wider", |shot| shot.width == 20_000);
     window.at_rest();

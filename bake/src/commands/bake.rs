@@ -1,20 +1,20 @@
-//! `bake`: bakes a table, measures it, writes it.
+//! `bake`: bakes a table, measures its error, and writes it.
 
 use super::CommandError;
 use crate::cli::{AxisName, BakeArgs};
-use bake::baker::{self, Recipe};
-use bake::measure::measured;
-use bake::rays::EDGE_GAP;
-use lensbake_report::{Outcome, Progress, message};
-use lensbake_tables::{Axis, ContainerError, Rows, Table, container};
+use lensbake_program::{Outcome, Progress, message};
+use lensbake_tables::baking::EDGE_GAP;
+use lensbake_tables::baking::measured;
+use lensbake_tables::baking::{self, Recipe};
+use lensbake_tables::{Axis, ContainerError, Rows, Table};
 use std::time::Instant;
 
 pub fn run(args: &BakeArgs) -> Result<Outcome, CommandError> {
-    // What is wrong with an output is found before the work, not after it.
+    // Check the outputs before the work, not after it.
     let outputs: Vec<_> = args
         .output
         .iter()
-        .map(|path| container::output(path))
+        .map(|path| super::table_output(path))
         .collect::<Result<_, _>>()?;
     for (i, (_, output)) in outputs.iter().enumerate() {
         for (_, other) in &outputs[..i] {
@@ -79,7 +79,7 @@ fn bake_and_measure(recipe: &Recipe) -> Result<Table, CommandError> {
         Rows::Chi { count } => count,
     };
     let progress = Progress::new("baking", rows.into());
-    let table = baker::bake(recipe, || progress.step())?;
+    let table = baking::bake(recipe, || progress.step())?;
     let seconds = progress.finish().as_secs_f64();
     message!(
         "baked {rows} x {} texels ({:.1} KiB) in {seconds:.3} s on {} threads",

@@ -2,10 +2,13 @@
 
 use super::{CommandError, FigureFiles};
 use crate::cli::ChartArgs;
-use bake::chart::figure::{ChartFigure, Unit};
-use bake::chart::{Effort, Entry, Section, csv, measure, pareto, steps};
-use lensbake_report::{Outcome, Printer, Progress, message};
-use lensbake_tables::output::OutputFolder;
+use lensbake_program::output::OutputFolder;
+use lensbake_program::{Outcome, Printer, Progress, message};
+use lensbake_studies::figure::front;
+use lensbake_studies::method_chart::figure::{ChartFigure, Unit};
+use lensbake_studies::method_chart::{
+    MeasuredMethod, Section, Workload, csv, measure, rivals, steps,
+};
 
 pub fn run(args: &ChartArgs) -> Result<Outcome, CommandError> {
     let folder = OutputFolder::new(&args.output)?;
@@ -14,9 +17,9 @@ pub fn run(args: &ChartArgs) -> Result<Outcome, CommandError> {
         (FigureFiles::new(&folder, "chart-rad")?, Unit::Radians),
         (FigureFiles::new(&folder, "chart-px")?, Unit::Pixels),
     ];
-    let effort = effort(args);
-    let progress = Progress::new("measuring", steps(&effort));
-    let sections = measure(&effort, || progress.step())?;
+    let workload = workload(args);
+    let progress = Progress::new("measuring", steps(&workload));
+    let sections = measure(&workload, || progress.step())?;
     let elapsed = progress.finish();
     let written = table
         .write(csv::text(&sections).as_bytes())
@@ -41,9 +44,9 @@ pub fn run(args: &ChartArgs) -> Result<Outcome, CommandError> {
     Ok(outcome)
 }
 
-fn effort(args: &ChartArgs) -> Effort {
+fn workload(args: &ChartArgs) -> Workload {
     if args.quick {
-        Effort {
+        Workload {
             rays: 500,
             timed_rays: 100,
             rounds: 3,
@@ -51,7 +54,7 @@ fn effort(args: &ChartArgs) -> Effort {
             seed: args.seed,
         }
     } else {
-        Effort {
+        Workload {
             rays: 20_000,
             timed_rays: 1_000,
             rounds: 9,
@@ -61,20 +64,23 @@ fn effort(args: &ChartArgs) -> Effort {
     }
 }
 
-/// Prints the Pareto front of the far observer's methods, and whether the claim holds.
+/// Prints the Pareto front of the methods for the observer at infinity, and the methods that beat the default row;
+/// [`Outcome::Missed`] if there are any.
 fn report(sections: &[Section], printer: &mut Printer) -> Outcome {
     let Some(far) = sections.first() else {
         return Outcome::Missed;
     };
     let mut text = String::from("      ns   largest error, rad        px   bytes   method\n");
-    for index in pareto::front(&far.entries, |entry| entry.radians.max) {
+    let point = |entry: &MeasuredMethod| (entry.ns, entry.radians.max);
+    let points: Vec<_> = far.entries.iter().map(point).collect();
+    for index in front(&points) {
         text += &line(&far.entries[index]);
     }
     text += &format!(
         "noise of this run: {:.1} % of a time\n",
         100.0 * far.noise()
     );
-    let better = pareto::better_than_default(far);
+    let better = rivals::better_than_default(far);
     for entry in &better {
         text += &format!("better than the default row:\n{}", line(entry));
     }
@@ -86,13 +92,13 @@ fn report(sections: &[Section], printer: &mut Printer) -> Outcome {
     Outcome::Missed
 }
 
-fn line(entry: &Entry) -> String {
+fn line(entry: &MeasuredMethod) -> String {
     format!(
         "{:8.1}   {:18.2e}  {:8.1e}  {:6}   {}\n",
         entry.ns,
         entry.radians.max,
         entry.pixels.max,
         entry.bytes,
-        entry.card.label(),
+        entry.info.label(),
     )
 }

@@ -1,12 +1,12 @@
-//! `bake convert`: the same bits in the other container.
+//! `bake convert`: writes the same table in the other container, bit for bit.
 
-use super::CommandError;
-use lensbake_report::{Outcome, message};
+use super::{CommandError, table_output};
+use lensbake_program::{Outcome, message};
 use lensbake_tables::{ContainerError, container};
 use std::path::Path;
 
 pub fn run(from: &Path, to: &Path) -> Result<Outcome, CommandError> {
-    let (container, output) = container::output(to)?;
+    let (container, output) = table_output(to)?;
     output.spares(from)?;
     let bytes = container
         .encode(&container::read(from)?)

@@ -1,20 +1,20 @@
-//! `bake diff`: a table against the direct integrator and against the closed form.
+//! `bake diff`: compares a table with the direct integrator and with the closed form.
 
 use super::{CommandError, table_or_atlas};
 use crate::cli::DiffArgs;
-use bake::diff::{Comparison, Diff, DiffStatistics, Picture, diff};
-use bake::{plot, rays};
-use lensbake_report::drawing::DrawError;
-use lensbake_report::{Outcome, Printer, Progress, message};
-use lensbake_tables::output::Output;
+use lensbake_program::output::Output;
+use lensbake_program::{Outcome, Printer, Progress, message};
+use lensbake_studies::figure::drawing::DrawError;
+use lensbake_studies::table_error::{Comparison, Diff, DiffStatistics, Picture, diff, figure};
+use lensbake_tables::baking;
 use std::path::PathBuf;
 
 pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
     let outputs = Outputs::new(args)?;
     let (table, name) = table_or_atlas(args.file.as_deref())?;
-    let sights = rays::random(table.header(), args.rays as usize, args.seed);
+    let rays = baking::random(table.header(), args.rays as usize, args.seed);
     let progress = Progress::new("comparing", args.rays.into());
-    let diff = diff(&table, &sights, args.tolerance, || progress.step()).map_err(|problem| {
+    let diff = diff(&table, &rays, args.tolerance, || progress.step()).map_err(|problem| {
         CommandError::InTable {
             path: name.clone(),
             problem,
@@ -26,7 +26,7 @@ pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
         field_of_view: args.fov.to_radians(),
     };
     let name = name.display().to_string();
-    // What fails of files and report keeps nothing of the rest from the user.
+    // Write the files and the report even if one of them fails; the error follows afterwards.
     let csv = outputs.write_csv(&diff, &picture);
     let plot = outputs.write_plot(&diff, args.budget, &name);
     let mut printer = Printer::new(outputs.take_standard_output());
@@ -36,7 +36,7 @@ pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
     Ok(outcome)
 }
 
-/// The files beside the report.
+/// The files that are written besides the report.
 struct Outputs {
     csv: Option<Output>,
     plot: Option<Output>,
@@ -77,12 +77,12 @@ impl Outputs {
             return Ok(());
         };
         let title = format!("{name}: error along the row, {} rays", diff.rays.len());
-        let svg = plot::error_figure(diff, budget, &title).map_err(DrawError::from)?;
+        let svg = figure::error_figure(diff, budget, &title).map_err(DrawError::from)?;
         Ok(file.write(svg.as_bytes())?)
     }
 }
 
-/// One of the differences that are reported.
+/// The name of a reported difference, and the function that computes it.
 type Difference = (&'static str, fn(&Comparison) -> f64);
 
 const DIFFERENCES: [Difference; 3] = [
@@ -91,7 +91,7 @@ const DIFFERENCES: [Difference; 3] = [
     ("direct - closed form", |ray| ray.direct - ray.closed),
 ];
 
-/// Prints the differences, and whether the budget is kept.
+/// Prints the differences; [`Outcome::Done`] if the error against the closed form is within the budget.
 fn report(
     diff: &Diff,
     picture: &Picture,
@@ -102,7 +102,7 @@ fn report(
     let mut text = format!(
         "{name}: {} rays, 1 - x from {:.0e}; pixels of a picture {} wide and {} degrees across\n",
         diff.rays.len(),
-        rays::EDGE_GAP,
+        baking::EDGE_GAP,
         args.width,
         args.fov,
     );

@@ -1,7 +1,7 @@
-//! `bake inspect`: what a table says of itself.
+//! `bake inspect`: prints a table's header and size.
 
 use super::CommandError;
-use lensbake_report::{Outcome, Printer};
+use lensbake_program::{Outcome, Printer};
 use lensbake_tables::text::on_one_line;
 use lensbake_tables::{Field, container};
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! The commands: arguments in, data to standard output, summaries to standard error.
+//! The commands. Data goes to standard output, summaries to standard error.
 
 pub mod bake;
 pub mod chart;
@@ -9,58 +9,59 @@ pub mod query;
 pub mod stability;
 
 use ::bake::query::QuestionError;
-use lensbake_report::PrintError;
-use lensbake_report::drawing::{self, DrawError, Figure};
-use lensbake_tables::output::{Output, OutputError, OutputFolder};
-use lensbake_tables::{ContainerError, Table, TableError, container, default_atlas};
+use lensbake_program::PrintError;
+use lensbake_program::output::{Output, OutputError, OutputFolder};
+use lensbake_studies::figure::drawing::{self, DrawError, Figure};
+use lensbake_tables::container::{self, Container};
+use lensbake_tables::{ContainerError, Table, TableError, default_atlas};
 use std::borrow::Cow;
 use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// Why a command could not do its work.
+/// Why a command failed.
 #[derive(Debug, Error)]
 pub enum CommandError {
-    /// A table file.
+    /// A table file cannot be read or written.
     #[error(transparent)]
     Container(#[from] ContainerError),
-    /// A recipe that makes no table.
+    /// The recipe does not make a table.
     #[error("{0}")]
     Table(#[from] TableError),
-    /// A table that does not answer what was asked.
+    /// The table cannot answer what was asked.
     #[error("{}: {problem}", path.display())]
     InTable {
-        /// The file, or what stands for it.
+        /// The file, or the name of the built-in atlas.
         path: PathBuf,
         /// What is wrong.
         problem: TableError,
     },
-    /// A line of input.
+    /// A line of standard input is not a question.
     #[error("standard input, line {line}: {problem}")]
     Line {
-        /// Which line, from 1.
+        /// Line number, from 1.
         line: usize,
-        /// What is wrong with it.
+        /// What is wrong.
         problem: QuestionError,
     },
-    /// Standard input.
+    /// Standard input cannot be read.
     #[error("standard input: {0}")]
     Stdin(io::Error),
-    /// Standard output.
+    /// Standard output cannot be written.
     #[error(transparent)]
     Print(#[from] PrintError),
-    /// A file to write.
+    /// A file cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),
-    /// A figure.
+    /// A figure cannot be drawn.
     #[error(transparent)]
     Draw(#[from] DrawError),
-    /// The thread pool.
+    /// The thread pool cannot be started.
     #[error("cannot start the threads asked for with --threads: {0}")]
     Threads(String),
 }
 
-/// The table in `file`, or the built-in atlas, with a name to call it by.
+/// The table in `file`, or the built-in atlas, with its name for messages.
 fn table_or_atlas(file: Option<&Path>) -> Result<(Cow<'static, Table>, PathBuf), CommandError> {
     Ok(match file {
         Some(path) => (Cow::Owned(container::read(path)?), path.to_owned()),
@@ -68,7 +69,17 @@ fn table_or_atlas(file: Option<&Path>) -> Result<(Cow<'static, Table>, PathBuf),
     })
 }
 
-/// The two files of a figure, checked before the work.
+/// The output at `path`, checked before the work, and its container: that of the path's extension, or `.lbt` for
+/// `-`, standard output.
+fn table_output(path: &Path) -> Result<(Container, Output), CommandError> {
+    let container = match path == Path::new("-") {
+        true => Container::Binary,
+        false => Container::of(path)?,
+    };
+    Ok((container, Output::binary(path)?))
+}
+
+/// The SVG and the PNG file of a figure, checked before the work.
 struct FigureFiles {
     svg: Output,
     png: Output,
@@ -83,7 +94,7 @@ impl FigureFiles {
         })
     }
 
-    /// Draws `figure` to both.
+    /// Draws `figure` to both files.
     fn write(&self, figure: &impl Figure) -> Result<(), CommandError> {
         self.svg.write(drawing::svg(figure)?.as_bytes())?;
         Ok(self.png.write(&drawing::png(figure)?)?)

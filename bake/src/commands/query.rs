@@ -1,28 +1,29 @@
-//! `bake query`: the bending of each ray asked for, one line each, answered as it comes.
+//! `bake query`: prints the bending of each ray asked for on a line of its own, before it waits for the next
+//! question.
 
 use super::{CommandError, table_or_atlas};
-use crate::cli::{Method as MethodName, QueryArgs};
-use bake::query::{Answers, MAX_LINE, Method, Question};
-use lensbake_core::Fate;
-use lensbake_report::{Outcome, Printer};
+use crate::cli::{MethodName, QueryArgs};
+use bake::query::{Answers, MAX_LINE, QueryMethod, Question};
+use lensbake_core::RayOutcome;
+use lensbake_program::{Outcome, Printer};
 use std::io::{self, BufRead, BufReader, Read};
 
-/// Answers are held back until so many bytes of them are ready.
+/// Size of the input buffer, and of the answers that may be held back, bytes.
 const BLOCK: usize = 1 << 16;
 
 pub fn run(args: &QueryArgs) -> Result<Outcome, CommandError> {
     let (table, name) = table_or_atlas(args.table.as_deref())?;
     let mut answers = Answers::new(match args.method {
-        MethodName::Lut => Method::Lookup(&table),
-        MethodName::Rk4 => Method::Rk4(args.tolerance),
-        MethodName::Exact => Method::Exact,
+        MethodName::Lut => QueryMethod::Lookup(&table),
+        MethodName::Rk4 => QueryMethod::Rk4(args.tolerance),
+        MethodName::Exact => QueryMethod::Exact,
     });
     let mut printer = Printer::new(false);
     let mut input = BufReader::with_capacity(BLOCK, io::stdin().lock());
     let (mut line, mut ready) = (Vec::new(), String::new());
     let mut number = 0;
     let asked = loop {
-        // Nobody waits for an answer as long as the next question is there.
+        // Answers may be held back while the next question is already in the buffer, not while waiting for it.
         if ready.len() > BLOCK || !input.buffer().contains(&b'\n') {
             printer.print(&ready);
             ready.clear();
@@ -54,14 +55,14 @@ pub fn run(args: &QueryArgs) -> Result<Outcome, CommandError> {
             }
         }
     };
-    // What was asked before a bad line is answered.
+    // Questions before a bad line are still answered.
     printer.print(&ready);
     asked.and(printer.finish().map_err(CommandError::Print))?;
     Ok(Outcome::Done)
 }
 
-/// Reads the next line, without its end, or of a longer one as much as shows that it is too long; false at
-/// the end of input.
+/// Reads the next line without its end; of a line that is too long, only as much as shows it. False at the end of
+/// input.
 fn next_line(input: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
     line.clear();
     let most = MAX_LINE as u64 + 2;
@@ -72,9 +73,9 @@ fn next_line(input: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
     Ok(read > 0)
 }
 
-fn text(bend: Fate) -> String {
+fn text(bend: RayOutcome) -> String {
     match bend {
-        Fate::Escapes(bend) => format!("{bend:.16e}\n"),
-        Fate::Captured => "captured\n".to_owned(),
+        RayOutcome::Escapes(bend) => format!("{bend:.16e}\n"),
+        RayOutcome::Captured => "captured\n".to_owned(),
     }
 }

@@ -1,11 +1,11 @@
-//! `bake stability`: where methods fail.
+//! `bake stability`: tries every method in every regime.
 
 use super::{CommandError, FigureFiles};
 use crate::cli::StabilityArgs;
-use bake::stability::figure::HeatMap;
-use bake::stability::{atlas, csv, regimes};
-use lensbake_report::{Outcome, Progress, message};
-use lensbake_tables::output::OutputFolder;
+use lensbake_program::output::OutputFolder;
+use lensbake_program::{Outcome, Progress, message};
+use lensbake_studies::stability::figure::HeatMap;
+use lensbake_studies::stability::{atlas, csv, regimes};
 
 pub fn run(args: &StabilityArgs) -> Result<Outcome, CommandError> {
     let folder = OutputFolder::new(&args.output)?;
@@ -23,8 +23,8 @@ pub fn run(args: &StabilityArgs) -> Result<Outcome, CommandError> {
         folder.path().display()
     );
     let failures = atlas.product_failures();
-    for (regime, card, verdict) in &failures {
-        message!("bake: {}: {}: {verdict}", regime.title(), card.label());
+    for (regime, info, verdict) in &failures {
+        message!("bake: {}: {}: {verdict}", regime.title(), info.label());
     }
     if failures.is_empty() {
         Ok(Outcome::Done)

@@ -1,4 +1,4 @@
-//! The binary container. The only place that knows of bincode.
+//! The binary container. Only this module uses bincode.
 //!
 //! ```text
 //! magic "LENSBAKE" | version u32 | header length u32 | header (bincode) | texels f32 … | CRC-32 u32
@@ -13,8 +13,8 @@ use crate::{Header, Table};
 
 pub(super) const MAGIC: [u8; 8] = *b"LENSBAKE";
 const PREFIX: usize = MAGIC.len() + 4 + 4;
-/// No header is longer: a solver's name is its only part without a fixed length, and the others have 80
-/// bytes at most.
+/// Most bytes of a header: the solver's name is its only part of arbitrary length, and the other parts have at
+/// most 80 bytes.
 const MAX_HEADER: usize = MAX_SOLVER_NAME + 80;
 const TEXEL: u64 = 8;
 const CHECKSUM: u64 = 4;

@@ -1,37 +1,36 @@
-//! The two files a table is kept in. They hold the same bits: either can be made from the other.
-//! The layout is written down in `docs/format.md`.
+//! The two file formats of a table, called containers. They hold the same bits: either can be made from the other.
+//! `docs/format.md` documents their layout.
 
 mod binary;
 mod openexr;
 
 use crate::error::{ContainerError, Problem};
 use crate::header::MAX_TEXELS;
-use crate::output::Output;
 use crate::{Table, Texel};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-/// Version of both layouts; a file of another is refused.
+/// Version of both layouts; a file of another version is refused.
 pub const VERSION: u32 = 1;
 
-/// No table file is larger: the texels as three channels of floats, and room for the header.
+/// Most bytes of a table file: the texels as three channels of floats, and an allowance for the header.
 const MAX_FILE_BYTES: u64 = MAX_TEXELS * 12 + (1 << 20);
 
-/// One of the two files.
+/// One of the two file formats of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Container {
     /// `.lbt`: magic, version, bincode header, little-endian floats, checksum.
     Binary,
-    /// `.exr`: OpenEXR, scan lines of RGB float, ZIP; the header as attributes.
+    /// `.exr`: OpenEXR with scan lines of RGB float, compressed by ZIP; the header as attributes.
     OpenExr,
 }
 
 impl Container {
-    /// The container that a file's ending asks for.
+    /// The container for the extension of `path`.
     ///
     /// # Errors
-    /// [`Problem::Ending`] for any other ending than `.lbt` and `.exr`.
+    /// [`Problem::Ending`] for any extension other than `.lbt` and `.exr`.
     pub fn of(path: &Path) -> Result<Self, ContainerError> {
         let ending = path.extension().and_then(|e| e.to_str());
         match ending.map(str::to_ascii_lowercase).as_deref() {
@@ -41,10 +40,10 @@ impl Container {
         }
     }
 
-    /// The table as this container's bytes.
+    /// The bytes of `table` in this container.
     ///
     /// # Errors
-    /// [`Problem`] if the encoder refuses, which no valid table makes it do.
+    /// [`Problem`] if the encoder fails, which does not happen with a valid table.
     pub fn encode(self, table: &Table) -> Result<Vec<u8>, Problem> {
         match self {
             Container::Binary => binary::encode(table),
@@ -53,11 +52,11 @@ impl Container {
     }
 }
 
-/// Reads a table from a file of either container, told apart by content.
+/// Reads a table from a file in either container, which is recognised by its content.
 ///
 /// # Errors
-/// [`ContainerError`] names the file and what is wrong with it. Nothing is allocated on the word of
-/// a header before the file's own length bears it out.
+/// [`ContainerError`] names the file and what is wrong with it. No memory is allocated for a size stated in the
+/// header until the length of the file confirms it.
 pub fn read(path: &Path) -> Result<Table, ContainerError> {
     read_bytes(path)
         .and_then(|bytes| from_bytes(&bytes))
@@ -78,7 +77,7 @@ fn read_bytes(path: &Path) -> Result<Vec<u8>, Problem> {
     Ok(bytes)
 }
 
-/// Reads a table from the bytes of either container.
+/// Reads a table from bytes in either container.
 ///
 /// # Errors
 /// [`Problem`] says what is wrong.
@@ -92,39 +91,11 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Table, Problem> {
     }
 }
 
-/// The output at `path` with the container that its ending asks for, checked before any work is done;
-/// [`Container::Binary`] for `-`, standard output.
-///
-/// # Errors
-/// [`ContainerError`] if the ending names no container, or as [`Output::binary`].
-pub fn output(path: &Path) -> Result<(Container, Output), ContainerError> {
-    let output = |container| match Output::binary(path) {
-        Ok(output) => Ok((container, output)),
-        Err(error) => Err(at(path)(error.problem.into())),
-    };
-    if path == Path::new("-") {
-        return output(Container::Binary);
-    }
-    output(Container::of(path)?)
-}
-
-/// Writes a table to the container that the file's ending asks for, as [`Output::write`] does.
-///
-/// # Errors
-/// [`ContainerError`] names the file and what is wrong.
-pub fn write(path: &Path, table: &Table) -> Result<(), ContainerError> {
-    let (container, output) = output(path)?;
-    container
-        .encode(table)
-        .and_then(|bytes| output.write(&bytes).map_err(|error| error.problem.into()))
-        .map_err(at(path))
-}
-
 fn at(path: &Path) -> impl FnOnce(Problem) -> ContainerError {
     move |problem| ContainerError::new(path, problem)
 }
 
-/// CRC-32 of the bytes that both containers stand for: the binary header and the texels.
+/// CRC-32 of the content that both containers have in common: the binary header and the texels.
 fn checksum(header: &[u8], texels: &[Texel]) -> u32 {
     let mut crc = crc32fast::Hasher::new();
     crc.update(header);

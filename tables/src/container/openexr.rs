@@ -1,7 +1,7 @@
-//! The OpenEXR container: R the stored value, G its slope a texel, B zero; 32-bit float, ZIP; scan lines
-//! from the top, one a row. The header's fields are attributes named `lensbake.…`. Three channels because
-//! single-channel files fail in several engines; 32 bits because half floats would cost 5e-4 rad
-//! (docs/format.md).
+//! The OpenEXR container. Channel R holds the stored value, G its slope per texel, B zero; 32-bit float, ZIP; scan
+//! lines from the top, one per row. The header's fields are attributes named `lensbake.…`. There are three
+//! channels because single-channel files fail in several engines, and 32 bits because half floats would cost
+//! 5e-4 rad (docs/format.md).
 
 use super::{MAX_FILE_BYTES, VERSION, checksum};
 use crate::error::Problem;
@@ -47,7 +47,7 @@ pub(super) fn encode(table: &Table) -> std::result::Result<Vec<u8>, Problem> {
     let layer = Layer::new(
         (width, header.row_count() as usize),
         attributes,
-        // ZIP of scan lines from the top: what every reader knows. tinyexr reads zeros from tiles.
+        // Every reader supports ZIP-compressed scan lines from the top; tinyexr reads zeros from tiles.
         Encoding::SMALL_LOSSLESS,
         channels,
     );
@@ -60,9 +60,9 @@ pub(super) fn encode(table: &Table) -> std::result::Result<Vec<u8>, Problem> {
     Ok(with_attributes_in_order(bytes.into_inner()))
 }
 
-/// The same file with its attributes in the order of their names: the library writes them in any, but
-/// the same table has to give the same bytes. Each attribute is a name and a type, both ended by a zero,
-/// a length and a value; an empty name ends them.
+/// The same file with its attributes sorted by name. The library writes them in arbitrary order, but the same
+/// table must give the same bytes. Each attribute is a name and a type, both terminated by a zero, a length and a
+/// value; an empty name ends the list.
 fn with_attributes_in_order(mut file: Vec<u8>) -> Vec<u8> {
     const FIRST: usize = 8;
     let mut attributes: Vec<Vec<u8>> = Vec::new();
@@ -82,7 +82,7 @@ fn with_attributes_in_order(mut file: Vec<u8>) -> Vec<u8> {
     file
 }
 
-/// What a table's file may be: an encoding that changes no bit, and no larger than any table.
+/// Limits for the file of a table: only lossless compression, and no larger than the largest table.
 const LIMITS: Limits = Limits {
     pixels: MAX_TEXELS,
     chunk_bytes: MAX_FILE_BYTES,
@@ -107,7 +107,7 @@ pub(super) fn decode(bytes: &[u8]) -> std::result::Result<Table, Problem> {
     Ok(Table::new(header, texels)?)
 }
 
-/// The texels, R and G of each pixel. The size of the picture has been checked.
+/// The texels: R and G of each pixel. The size of the picture has been checked.
 fn decode_texels(
     file: &CheckedExr<'_>,
     header: &Header,
@@ -128,7 +128,7 @@ fn decode_texels(
     Ok(texels)
 }
 
-/// Reads and checks the header alone, so that no pixel is allocated for sizes that are not a table's.
+/// Reads and checks the header alone, so that no pixels are allocated for sizes that a table cannot have.
 fn decode_header(layer: &exr::meta::header::Header) -> std::result::Result<Header, Problem> {
     let attributes = &layer.own_attributes;
     match attribute(attributes, VERSION_FIELD) {
@@ -167,8 +167,8 @@ fn decode_header(layer: &exr::meta::header::Header) -> std::result::Result<Heade
     Ok(header)
 }
 
-/// The text of an attribute, which is UTF-8. Files of earlier versions hold Latin-1, which is no UTF-8 as
-/// soon as it has a letter beyond ASCII.
+/// The text of an attribute, which is UTF-8. Files of earlier versions hold Latin-1, which is not valid UTF-8 once
+/// it has a letter beyond ASCII.
 fn decode_text(stored: &Text) -> String {
     match std::str::from_utf8(stored.as_slice()) {
         Ok(text) => text.to_owned(),

@@ -1,4 +1,4 @@
-//! Where the chunks of a layer are: the table behind the headers, and the few words before each chunk.
+//! Finds the chunks of a layer: reads the chunk table after the headers, and the few words before each chunk.
 
 use super::expansion::{self, Extent};
 use super::{ExrError, Limits};
@@ -9,26 +9,26 @@ use std::ops::Range;
 
 const ENTRY: usize = 8;
 
-/// A chunk whose place and size have been checked.
+/// A chunk whose position and size have been checked.
 #[derive(Debug, Clone)]
-pub(super) struct Place {
+pub(super) struct ChunkLocation {
     /// Its first line, in the coordinates of the file; 0 for a tile.
     pub first_line: i32,
-    /// Column and row of the tile among the tiles; of scan lines, which block of them.
+    /// Column and row of the tile; for scan lines, 0 and the index of the block of lines.
     pub tile: Vec2<usize>,
-    /// Where its compressed pixels are.
+    /// Byte range of its compressed pixels in the file.
     pub data: Range<usize>,
 }
 
-/// The chunks of a layer at full resolution. The table of chunks starts at `table` and has an entry a chunk
-/// for every layer in turn.
-pub(super) fn places(
+/// The chunks of a layer at full resolution. The chunk table starts at `table` and has one entry per chunk, for
+/// one layer after the other.
+pub(super) fn chunk_locations(
     bytes: &[u8],
     table: usize,
     meta: &MetaData,
     layer: usize,
     limits: &Limits,
-) -> Result<Vec<Place>, ExrError> {
+) -> Result<Vec<ChunkLocation>, ExrError> {
     let chunks_before = |layers: &[Header]| {
         let mut counts = layers.iter().map(|header| header.chunk_count);
         counts.try_fold(0_usize, usize::checked_add)
@@ -44,7 +44,7 @@ pub(super) fn places(
     let start = end_of(&meta.headers[..layer]).ok_or(ExrError::Table)?;
     let header = &meta.headers[layer];
     let grid = Grid::of(header, limits)?;
-    // The full resolution comes first among the levels of a layer, so the entry is there.
+    // Full resolution is the first level of a layer, so its entries come first.
     let entries = bytes[start..whole].chunks_exact(ENTRY).take(grid.count());
     let reader = Reader {
         bytes,
@@ -73,22 +73,21 @@ pub(super) fn places(
     Ok(places)
 }
 
-/// How the data window is cut into chunks.
+/// The division of the data window into chunks.
 #[derive(Debug, Clone, Copy)]
 struct Grid {
     /// Size of the data window, pixels.
     size: Vec2<usize>,
-    /// Size of a chunk, pixels: the last ones are smaller.
+    /// Size of a chunk, pixels; the last ones are smaller.
     chunk: Vec2<usize>,
-    /// How many chunks.
+    /// Number of chunks in each direction.
     count: Vec2<usize>,
 }
 
 impl Grid {
     fn of(header: &Header, limits: &Limits) -> Result<Self, ExrError> {
         let size = header.layer_size;
-        // The parser lets neither a window nor a tile have a side of 2³⁰ or more, so no product of two
-        // of them overflows.
+        // The parser refuses windows and tiles with a side of 2³⁰ or more, so no product of two sides overflows.
         let pixels = size.width() as u64 * size.height() as u64;
         if pixels > limits.pixels {
             return Err(ExrError::TooLarge {
@@ -115,7 +114,7 @@ impl Grid {
         self.count.area()
     }
 
-    /// Width and height of a chunk in pixels.
+    /// Width and height of the chunk `tile` in pixels.
     fn extent(&self, tile: Vec2<usize>) -> Vec2<usize> {
         let side = |size: usize, chunk: usize, index: usize| chunk.min(size - index * chunk);
         Vec2(
@@ -127,16 +126,16 @@ impl Grid {
 
 struct Reader<'b> {
     bytes: &'b [u8],
-    /// Which part a chunk names, in a file of several.
+    /// The part that each chunk must name, in a file with several parts.
     part: Option<usize>,
     header: &'b Header,
     grid: Grid,
 }
 
 impl Reader<'_> {
-    fn place(&self, at: u64) -> Result<Place, &'static str> {
+    fn place(&self, at: u64) -> Result<ChunkLocation, &'static str> {
         let at = usize::try_from(at).map_err(|_| "is beyond the end of the file")?;
-        let mut words = Words {
+        let mut words = WordReader {
             bytes: self.bytes,
             at,
         };
@@ -160,7 +159,7 @@ impl Reader<'_> {
         let end = end.filter(|&end| end <= self.bytes.len());
         let data = words.at..end.ok_or("ends beyond the end of the file")?;
         self.check_size(&self.bytes[data.clone()], tile)?;
-        Ok(Place {
+        Ok(ChunkLocation {
             first_line,
             tile,
             data,
@@ -191,11 +190,11 @@ impl Reader<'_> {
         }
     }
 
-    /// Checks that so many compressed bytes can hold the chunk's pixels.
+    /// Checks that the compressed bytes `chunk` can hold the pixels of the chunk `tile`.
     fn check_size(&self, chunk: &[u8], tile: Vec2<usize>) -> Result<(), &'static str> {
         let size = self.grid.extent(tile);
         let bytes = size.area() * self.header.channels.bytes_per_pixel;
-        // Pixels that compression would not make smaller are stored as they are.
+        // Pixels that compression would not make smaller are stored uncompressed.
         if chunk.len() == bytes {
             return Ok(());
         }
@@ -220,12 +219,12 @@ impl Reader<'_> {
 }
 
 /// Little-endian words of four bytes, one after the other.
-struct Words<'b> {
+struct WordReader<'b> {
     bytes: &'b [u8],
     at: usize,
 }
 
-impl Words<'_> {
+impl WordReader<'_> {
     fn next(&mut self) -> Result<i32, &'static str> {
         let rest = self.bytes.get(self.at..).unwrap_or_default();
         let (word, _) = rest

@@ -1,51 +1,51 @@
 use thiserror::Error;
 
-/// Why an OpenEXR file is not read. Each message is one line, to follow the file's name.
+/// Why an OpenEXR file is not read. Each message is one line, written to follow the name of the file.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ExrError {
-    /// What the library `exr` said.
+    /// The error message of the library `exr`.
     #[error("{0}")]
     Decoder(String),
     /// The library `exr` panicked, as it does on some damage.
     #[error("it is damaged")]
     Panic,
-    /// No layer to read.
+    /// No layer has the channels R, G and B.
     #[error("no layer has the channels R, G and B; save it as RGB")]
     NoRgb,
-    /// An encoding that the library does not have.
+    /// The library does not support the compression.
     #[error("it is compressed with HTJ2K, which is not read here; save it with ZIP compression")]
     Unknown,
-    /// An encoding that changes the pixels, where that does not do.
+    /// The compression is lossy, and only lossless compression is accepted.
     #[error("it is compressed with {0}, which changes the values; save it with ZIP compression")]
     Lossy(String),
-    /// More pixels than are read.
+    /// The data window has more pixels than the limit.
     #[error("its data window has {width} x {height} pixels; at most {max} pixels are read")]
     TooLarge {
         /// Width in pixels.
         width: usize,
         /// Height in pixels.
         height: usize,
-        /// The most pixels allowed.
+        /// Most pixels allowed.
         max: u64,
     },
-    /// More bytes in one chunk than are read.
+    /// A chunk has more bytes of pixels than the limit.
     #[error(
         "one of its chunks has {found} bytes of pixels; at most {max} are read, so save it as scan \
          lines or with smaller tiles"
     )]
     LargeChunk {
-        /// By the header.
+        /// Bytes according to the header.
         found: u64,
-        /// The most allowed.
+        /// Most bytes allowed.
         max: u64,
     },
-    /// The file ends before its table of chunks does.
+    /// The file ends before its chunk table does.
     #[error("it ends inside its table of chunks: truncated")]
     Table,
-    /// A chunk that cannot be where or what the file says.
+    /// The position or the content of a chunk contradicts the file.
     #[error("its chunk {index} {problem}: truncated or damaged")]
     Chunk {
-        /// Which one, in the order of the table.
+        /// Index of the chunk in the chunk table.
         index: usize,
         /// What is wrong with it.
         problem: &'static str,

@@ -1,30 +1,30 @@
-//! How much can come out of compressed bytes. More than that is asked for by damaged files alone.
+//! Upper bounds on the size of decompressed data. Only damaged files claim more.
 
 use exr::prelude::Compression;
 
-/// The most bytes of pixels that a chunk of `length` bytes can hold.
+/// Most bytes of pixels that a chunk of `length` bytes can hold.
 pub(super) fn most_bytes(compression: Compression, length: usize) -> u64 {
     use Compression::*;
     let a_byte = match compression {
         Uncompressed => 1,
-        // Two bytes stand for up to 128.
+        // Two bytes encode up to 128.
         RLE => 64,
-        // Deflate: 258 bytes out of two bits.
+        // Deflate: two bits encode up to 258 bytes.
         ZIP1 | ZIP16 => 1032,
-        // Deflate, and each float of four bytes out of three.
+        // Deflate, and three bytes encode a float of four.
         PXR24 => 1032 * 4 / 3,
-        // Huffman: a bit and a count of eight stand for up to 255 samples of two bytes.
+        // Huffman: one bit and a count of eight bits encode up to 255 samples of two bytes.
         PIZ => 255 * 2 * 8 / 9 + 1,
-        // Three bytes stand for 16 samples of two.
+        // Three bytes encode 16 samples of two bytes.
         B44 | B44A => 11,
-        // Deflate, and a block of 8 x 8 samples of four bytes out of one of two.
+        // Deflate, and one coefficient of two bytes encodes a block of 8 x 8 samples of four bytes.
         DWAA(_) | DWAB(_) => 1032 * 128,
         HTJ2K32 | HTJ2K256 => 0,
     };
     length as u64 * a_byte
 }
 
-/// The size of a chunk's picture.
+/// The size of the pixels of a chunk.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Extent {
     /// Width in pixels.
@@ -33,17 +33,17 @@ pub(super) struct Extent {
     pub height: u64,
     /// Number of channels.
     pub channels: u64,
-    /// Bytes of its pixels.
+    /// Size of the pixels in bytes.
     pub bytes: u64,
 }
 
 const DWA_COUNTERS: usize = 11;
 const DWA_VERSION: u64 = 2;
 
-/// Checks the eleven counters at the start of a DWA chunk against what a chunk of this extent can need.
-/// They are, little-endian and of eight bytes each: version; raw and compressed size of the channels that
-/// are deflated; compressed sizes of the AC and the DC coefficients and of the run lengths; size of the
-/// run lengths, and of what they stand for; number of AC and of DC coefficients; coding of the former.
+/// Checks the eleven counters at the start of a DWA chunk against what a chunk of this extent can need. Each is a
+/// little-endian integer of eight bytes: version; raw and compressed size of the deflated channels; compressed
+/// sizes of the AC coefficients, the DC coefficients and the run lengths; size of the run lengths and of the data
+/// that they encode; number of AC and of DC coefficients; coding of the AC coefficients.
 pub(super) fn check_dwa(chunk: &[u8], extent: Extent) -> Result<(), &'static str> {
     let counters = chunk
         .get(..8 * DWA_COUNTERS)
@@ -57,7 +57,7 @@ pub(super) fn check_dwa(chunk: &[u8], extent: Extent) -> Result<(), &'static str
     };
     let blocks = extent.width.div_ceil(8) * extent.height.div_ceil(8) * extent.channels;
     let length = chunk.len() as u64;
-    // Where runs are short, run lengths take more than what they stand for: half as much again.
+    // For short runs, the run lengths take up to half as much again as the data that they encode.
     let run_lengths = 2 * extent.bytes;
     let most = [
         DWA_VERSION,
@@ -98,7 +98,7 @@ mod tests {
 
     #[test]
     fn the_counters_that_a_chunk_needs_are_let_through_and_no_more() {
-        // 3 x 4 blocks a channel.
+        // 3 x 4 blocks per channel.
         let most = [2, 3840, 288, 288, 288, 288, 7680, 3840, 63 * 36, 36, 1];
         assert_eq!(check_dwa(&chunk(most), EXTENT), Ok(()));
         assert_eq!(check_dwa(&chunk([0; 11]), EXTENT), Ok(()));

@@ -1,10 +1,10 @@
-//! OpenEXR files from anywhere, read so that no file ends the program.
+//! Reads untrusted OpenEXR files so that no file can end the program.
 //!
-//! The library `exr` allocates what a file asks for, and a failed allocation ends the program where it
-//! stands (`docs/upstream.md` has the places). So the library's own reader is not used. Its parser reads
-//! the header; everything behind the header is found and checked here, in the file's own bytes: the table
-//! of chunks, the place and the size of each chunk, what a chunk of that size can hold. Only then is a
-//! chunk handed to the library's decompressor, and a panic in there becomes an error.
+//! The library `exr` allocates what a file asks for, and a failed allocation aborts the program
+//! (`docs/upstream.md` lists the places). The library's own reader is therefore not used. Its parser reads the
+//! header; everything after the header is found and checked here, in the bytes of the file: the chunk table, the
+//! position and the size of each chunk, and how many pixels a chunk of that size can hold. Only then is a chunk
+//! passed to the library's decompressor, and a panic there becomes an error.
 
 mod chunks;
 mod error;
@@ -13,7 +13,7 @@ mod expansion;
 pub use error::ExrError;
 
 use crate::panics::caught;
-use chunks::Place;
+use chunks::ChunkLocation;
 use exr::block::UncompressedBlock;
 use exr::block::chunk::{
     Chunk, CompressedBlock, CompressedScanLineBlock, CompressedTileBlock, TileCoordinates,
@@ -23,24 +23,24 @@ use exr::meta::header::Header;
 use exr::meta::{BlockDescription, MetaData};
 use exr::prelude::{Compression, SampleType, Text, Vec2, f16};
 
-/// What is read at most.
+/// Limits on the files that are read.
 #[derive(Debug, Clone, Copy)]
 pub struct Limits {
-    /// Pixels of the data window.
+    /// Most pixels in the data window.
     pub pixels: u64,
-    /// Bytes of one decoded chunk.
+    /// Most bytes in one decoded chunk.
     pub chunk_bytes: u64,
-    /// Whether encodings are read that change the pixels.
+    /// Whether lossy compression is accepted.
     pub lossy: bool,
 }
 
-/// A file of which all but the compressed pixels has been checked.
+/// An OpenEXR file in which everything except the compressed pixels has been checked.
 #[derive(Debug)]
 pub struct CheckedExr<'b> {
     bytes: &'b [u8],
     meta: MetaData,
     layer: usize,
-    places: Vec<Place>,
+    places: Vec<ChunkLocation>,
 }
 
 /// The pixels of one chunk.
@@ -52,12 +52,12 @@ pub struct RgbBlock {
     pub row: usize,
     /// Width in pixels.
     pub width: usize,
-    /// Its pixels, R, G, B, row by row from the top.
+    /// The pixels (R, G, B), row by row from the top.
     pub pixels: Vec<[f32; 3]>,
 }
 
-/// Width and height of the display window: the size of the picture as its header has it. Nothing
-/// behind the header is looked at.
+/// Width and height of the display window: the size of the picture according to its header. Nothing after the
+/// header is read.
 ///
 /// # Errors
 /// [`ExrError`] if the header cannot be read or no layer has the channels R, G and B.
@@ -65,21 +65,21 @@ pub fn display_size(bytes: &[u8]) -> Result<(u32, u32), ExrError> {
     let (meta, _) = headers(bytes)?;
     let layer = &meta.headers[rgb_layer(&meta)?];
     let size = layer.shared_attributes.display_window.size;
-    // The parser lets no window have a side of 2³⁰ or more.
+    // The parser refuses windows with a side of 2³⁰ or more.
     Ok((size.width() as u32, size.height() as u32))
 }
 
 impl<'b> CheckedExr<'b> {
-    /// Checks the file in `bytes`: the first layer that has the channels R, G and B, at full resolution.
+    /// Checks the first layer in `bytes` that has the channels R, G and B, at full resolution.
     ///
     /// # Errors
-    /// [`ExrError`] says what is wrong or beyond the `limits`. Nothing is allocated on the file's word:
-    /// the memory taken is in proportion to the bytes there are.
+    /// [`ExrError`] says what is wrong or exceeds the `limits`. No size stated in the file is trusted: memory use
+    /// is proportional to the length of `bytes`.
     pub fn open(bytes: &'b [u8], limits: &Limits) -> Result<Self, ExrError> {
         let (meta, after_header) = headers(bytes)?;
         let layer = rgb_layer(&meta)?;
         check_encoding(meta.headers[layer].compression, limits)?;
-        let places = chunks::places(bytes, after_header, &meta, layer, limits)?;
+        let places = chunks::chunk_locations(bytes, after_header, &meta, layer, limits)?;
         Ok(CheckedExr {
             bytes,
             meta,
@@ -93,7 +93,7 @@ impl<'b> CheckedExr<'b> {
         &self.meta.headers[self.layer]
     }
 
-    /// How many layers the file has.
+    /// Number of layers in the file.
     pub(crate) fn layer_count(&self) -> usize {
         self.meta.headers.len()
     }
@@ -110,19 +110,19 @@ impl<'b> CheckedExr<'b> {
         )
     }
 
-    /// How many chunks make up the data window.
+    /// Number of chunks in the data window.
     pub fn chunk_count(&self) -> usize {
         self.places.len()
     }
 
-    /// The pixels of a chunk, decompressed now. Integers are taken as they are; alpha and other channels
-    /// are left out.
+    /// Decompresses the pixels of a chunk. Integer samples are converted without scaling; alpha and other channels
+    /// are ignored.
     ///
     /// # Errors
     /// [`ExrError`] if the compressed pixels are damaged.
     ///
     /// # Panics
-    /// If there is no such chunk.
+    /// If `index` is not below [`CheckedExr::chunk_count`].
     pub fn rgb_block(&self, index: usize) -> Result<RgbBlock, ExrError> {
         let chunk = self.chunk(&self.places[index]);
         caught(|| {
@@ -132,7 +132,7 @@ impl<'b> CheckedExr<'b> {
         .unwrap_or(Err(ExrError::Panic))
     }
 
-    fn chunk(&self, place: &Place) -> Chunk {
+    fn chunk(&self, place: &ChunkLocation) -> Chunk {
         let compressed_pixels_le = self.bytes[place.data.clone()].to_vec();
         let compressed_block = match self.header().blocks {
             BlockDescription::ScanLines => CompressedBlock::ScanLine(CompressedScanLineBlock {
@@ -154,7 +154,7 @@ impl<'b> CheckedExr<'b> {
     }
 }
 
-/// The headers, and where in the file they end.
+/// The headers, and the offset in the file at which they end.
 fn headers(bytes: &[u8]) -> Result<(MetaData, usize), ExrError> {
     caught(|| {
         let mut rest = bytes;
@@ -165,7 +165,7 @@ fn headers(bytes: &[u8]) -> Result<(MetaData, usize), ExrError> {
     .unwrap_or(Err(ExrError::Panic))
 }
 
-/// The first layer with the channels R, G and B.
+/// Index of the first layer with the channels R, G and B.
 fn rgb_layer(meta: &MetaData) -> Result<usize, ExrError> {
     let has = |header: &Header, name: &str| {
         let found = header.channels.find_index_of_channel(&Text::from(name));

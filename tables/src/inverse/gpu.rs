@@ -1,15 +1,17 @@
-//! The inverse row as a GPU reads it, in f32, beside its WGSL text ([`WGSL`]): function for function the
-//! same. The reference in f64 is [`InverseRow::image`](super::InverseRow::image).
+//! The inverse row on a GPU: its WGSL source ([`WGSL`]), the row as it is uploaded, and the mirrors of the WGSL
+//! functions in f32. The reference in f64 is [`InverseRow::image`](super::InverseRow::image).
 
 use super::{FIRST, INVERSE_TEXELS, InverseRow};
 use crate::Texel;
-use crate::lookup::{cos_sin, cubic};
+use crate::interpolation::cubic;
+use crate::mirror::cos_sin;
 
-/// The inverse row for a GPU. Needs before it the text of [`wgsl_row`] and
-/// [`lookup::ARITHMETIC_WGSL`](crate::lookup::ARITHMETIC_WGSL), or the whole of the lookup's.
-pub const WGSL: &str = include_str!("inverse.wgsl");
+/// WGSL source of the lookup in an inverse row. It must be preceded by the text of [`wgsl_row`] and by the module
+/// `arithmetic` of [`lookup::WGSL_MODULES`](crate::lookup::WGSL_MODULES), or the whole of
+/// [`lookup::WGSL`](crate::lookup::WGSL).
+pub const WGSL: &str = include_str!("../wgsl/inverse.wgsl");
 
-/// WGSL that declares the inverse row as a texture of one line at the given binding, and loads from it.
+/// WGSL source that declares the inverse row as a texture of one line at the given binding, and loads from it.
 pub fn wgsl_row(group: u32, binding: u32) -> String {
     format!(
         "const INVERSE_LAST: u32 = {}u;\n\
@@ -19,41 +21,42 @@ pub fn wgsl_row(group: u32, binding: u32) -> String {
     )
 }
 
-/// What the texels are measured from and along; laid out as the WGSL struct `Inverse` is.
+/// Parameters of an inverse row: the view angle that its values are relative to, and its axis. In the layout of
+/// the WGSL struct `Inverse`.
 #[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub struct Inverse {
     /// θ_c, rad.
     pub edge: f32,
-    /// ϑ = scale sinh v, rad.
+    /// Scale of the axis in ϑ = scale sinh v, rad.
     pub scale: f32,
     /// ϑ of the first texel, rad.
     pub first_angle: f32,
     /// v of the first texel.
     pub first: f32,
-    /// Texels in one unit of v.
+    /// Texels per unit of v.
     pub texels_per_v: f32,
 }
 
-/// An inverse row as a GPU holds it.
+/// An inverse row in the form that is uploaded to a GPU.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GpuInverseRow {
-    /// What the texels are measured from and along.
+    /// Parameters of the inverse row.
     pub inverse: Inverse,
-    /// The texels, array of shape `[texels]`: Λ and its slope a texel.
+    /// The texels, array of shape `[texels]`: Λ and its slope per texel.
     pub texels: Vec<Texel>,
 }
 
-/// Where a point of the sky is seen, as a GPU finds it.
+/// An image of a point of the sky, as a GPU computes it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GpuImage {
-    /// (cos θ, sin θ) of the direction in which it is seen.
+    /// (cos θ, sin θ) of the direction in which the image is seen.
     pub cos_sin: [f32; 2],
-    /// dθ/dϑ.
-    pub stretch: f32,
+    /// Radial magnification dθ/dϑ.
+    pub radial_magnification: f32,
 }
 
-/// e^v of x = sinh v, to a few parts in 1e7.
+/// e^v as a function of x = sinh v, to a few parts in 1e7.
 pub fn exp_arsinh(x: f32) -> f32 {
     let size = x.abs();
     let grown = size + (size * size + 1.0).sqrt();
@@ -61,11 +64,11 @@ pub fn exp_arsinh(x: f32) -> f32 {
 }
 
 impl GpuInverseRow {
-    /// The inverse row as it is uploaded.
+    /// `row` rounded to f32.
     pub fn new(row: &InverseRow) -> Self {
         GpuInverseRow {
             inverse: Inverse {
-                edge: row.observer.edge_angle() as f32,
+                edge: row.observer.shadow_angle() as f32,
                 scale: row.scale as f32,
                 first_angle: FIRST as f32,
                 first: row.first as f32,
@@ -79,7 +82,8 @@ impl GpuInverseRow {
         }
     }
 
-    /// Where the light that comes from the unwrapped sky angle `sky_angle` ≤ π (rad) is seen.
+    /// The image for the unwrapped sky angle `sky_angle` ≤ π (rad): the direction in which light from there is
+    /// seen.
     pub fn image(&self, sky_angle: f32) -> GpuImage {
         let inverse = self.inverse;
         let last = self.texels.len() - 1;
@@ -93,21 +97,21 @@ impl GpuInverseRow {
         let offset = 0.5 * inverse.scale * exp_v * (value + (sky_angle - inside)).exp();
         GpuImage {
             cos_sin: cos_sin(inverse.edge + offset),
-            stretch: offset * (1.0 + slope * inverse.texels_per_v)
+            radial_magnification: offset * (1.0 + slope * inverse.texels_per_v)
                 / (inverse.scale * (u * u + 1.0).sqrt()),
         }
     }
 }
 
 impl GpuImage {
-    /// How many times brighter than without the hole a point with `p` = |sin ϑ| is seen at this image of
-    /// ϑ = `sky_angle`: μ = sin θ dθ / (|sin ϑ| dϑ).
+    /// Magnification of a point source with `p` = |sin ϑ| at this image for ϑ = `sky_angle`, the ratio of its
+    /// brightness to that without the hole: μ = sin θ dθ / (|sin ϑ| dϑ).
     pub fn magnification(&self, sky_angle: f32, p: f32) -> f32 {
-        // Straight away both sines vanish; their ratio is dθ/dϑ to (π − ϑ)².
+        // Straight away from the hole both sines vanish; their ratio is dθ/dϑ up to terms of order (π − ϑ)².
         let straight_away = sky_angle > 3.13;
-        self.stretch
+        self.radial_magnification
             * if straight_away {
-                self.stretch
+                self.radial_magnification
             } else {
                 self.cos_sin[1].max(0.0) / p.max(1e-30)
             }

@@ -1,21 +1,26 @@
-//! The inverse of a row: from where a point of the sky is to where it is seen.
+//! The inverse of a row: from the position of a point on the sky to the directions in which its images are seen.
 //!
-//! The *unwrapped* sky angle ϑ = θ − Δ(θ) of the light seen at θ grows strictly with θ, from −∞ at the
-//! shadow's edge to π straight away from the hole. A star at the angle β from the direction of the hole
-//! is therefore seen once for each ϑ = β, −β, β − 2π, −β − 2π, …: on its own side of the hole, on the
-//! other side, and again on either side with each further turn of the light. The magnification of an image
-//! is μ = sin θ dθ / (|sin ϑ| dϑ).
+//! The *unwrapped* sky angle ϑ = θ − Δ(θ) of the light seen at the view angle θ increases strictly with θ, from −∞
+//! at the shadow boundary (critical curve) to π straight away from the hole. A star at the angle β from the
+//! direction of the hole therefore has one image for each ϑ = β, −β, β − 2π, −β − 2π, …: one on its own side of
+//! the hole, one on the other side, and two more, one on each side, for each further turn of the light round the
+//! hole (image orders). The magnification of an image is
 //!
-//! The inverse row holds θ(ϑ). Far away θ − θ_c is that of a weak lens with Einstein's angle θ_E = √(2/r),
+//! ```text
+//! μ = sin θ dθ / (|sin ϑ| dϑ).
+//! ```
+//!
+//! The inverse row holds θ(ϑ). In weak fields, θ − θ_c is close to the view angle θ_w of a point lens with the
+//! Einstein angle θ_E = √(2/r),
 //!
 //! ```text
 //! θ_w = (ϑ + √(ϑ² + 4 θ_E²)) / 2 = θ_E e^v,     ϑ = 2 θ_E sinh v
 //! ```
 //!
-//! and at the edge ln(θ − θ_c) → ϑ + const. So what is stored is Λ = ln((θ − θ_c)/θ_w), next to nothing far
-//! away and smooth everywhere, against v, which resolves the bend of width θ_E however narrow it is. The
-//! slope of Λ keeps the magnification of the faintest winding to the same relative accuracy. That makes 64
-//! texels enough at every radius.
+//! and at the shadow boundary ln(θ − θ_c) → ϑ + const. The stored value is therefore Λ = ln((θ − θ_c)/θ_w), which
+//! is nearly 0 in weak fields and smooth everywhere. It is tabulated against v, which resolves the transition of
+//! width θ_E at ϑ = 0 however narrow it is. Storing the slope of Λ as well gives the magnification the same
+//! relative accuracy at every image order. With this, 64 texels are enough at every radius.
 //!
 //! Between texels the interpolation is cubic Hermite, as in the row itself.
 
@@ -24,25 +29,37 @@ mod gpu;
 pub use gpu::{GpuImage, GpuInverseRow, Inverse, WGSL, exp_arsinh, wgsl_row};
 
 use crate::{Interpolation, Row};
-use lensbake_core::{BendAndSlope, CoreError, EdgeCoordinate, Fate, Observer};
+use lensbake_core::{BendAndSlope, CoreError, Observer, RayOutcome, ShadowCoordinate};
 use std::f64::consts::PI;
 
-/// Texels of an inverse row: 512 bytes on a GPU, as the row itself.
+/// Number of texels in an inverse row: 512 bytes on a GPU, like the row itself.
 pub const INVERSE_TEXELS: u32 = 64;
 
-/// ϑ of the first texel, rad. Below it ln(θ − θ_c) is a straight line to 1e-6.
+/// ϑ of the first texel, rad. Below it ln(θ − θ_c) is linear in ϑ to 1e-6.
 const FIRST: f64 = -5.0 * PI;
 
-/// Where a point of the sky is seen.
+/// An image of a point of the sky.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Image {
     /// θ, the view angle from the direction of the hole, rad.
     pub theta: f64,
-    /// dθ/dϑ > 0: how much the image is stretched along the view angle.
-    pub stretch: f64,
+    /// Radial magnification dθ/dϑ > 0: how much the image is stretched along the view angle.
+    pub radial_magnification: f64,
 }
 
-/// One observer's inverse row.
+/// The inverse row of one observer.
+///
+/// ```
+/// use lensbake_core::Observer;
+/// use lensbake_tables::{InverseRow, default_atlas};
+///
+/// let observer = Observer::at(10.0).unwrap();
+/// let row = InverseRow::new(&default_atlas().row(observer).unwrap()).unwrap();
+/// // A point 0.5 rad from the direction of the hole is seen on both sides of it.
+/// let primary = row.image(0.5);
+/// let secondary = row.image(-0.5);
+/// assert!(primary.theta > secondary.theta && secondary.theta > observer.shadow_angle());
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct InverseRow {
     observer: Observer,
@@ -53,32 +70,33 @@ pub struct InverseRow {
 }
 
 impl InverseRow {
-    /// The inverse of `row`: θ to 4e-7 rad, dθ/dϑ to 2e-4 of itself, from r = 1.001 to 1e6.
+    /// The inverse of `row`. From r = 1.001 to 1e6, θ is accurate to 4e-7 rad and dθ/dϑ to a relative error of
+    /// 2e-4.
     ///
     /// # Errors
-    /// [`CoreError::FarHasNoAngle`] for the observer at infinity, who sees the hole as a point.
+    /// [`CoreError::NoViewAngleAtInfinity`] for the observer at infinity, who sees the hole as a point.
     pub fn new(row: &Row) -> Result<Self, CoreError> {
         Self::of(*row.observer(), |at| row.bend_and_slope(at))
     }
 
-    /// The inverse of any `bending` that grows towards the edge without bound, as `observer` sees it.
+    /// The inverse of any `bending` that grows without bound towards the shadow boundary, as `observer` sees it.
     ///
     /// # Errors
     /// As [`InverseRow::new`].
     pub fn of(
         observer: Observer,
-        bending: impl Fn(EdgeCoordinate) -> Fate<BendAndSlope>,
+        bending: impl Fn(ShadowCoordinate) -> RayOutcome<BendAndSlope>,
     ) -> Result<Self, CoreError> {
-        if observer.is_far() {
-            return Err(CoreError::FarHasNoAngle);
+        if observer.is_at_infinity() {
+            return Err(CoreError::NoViewAngleAtInfinity);
         }
         let scale = 2.0 * (2.0 * observer.inverse_radius()).sqrt();
         let (first, last) = ((FIRST / scale).asinh(), (PI / scale).asinh());
         let per_texel = (last - first) / f64::from(INVERSE_TEXELS - 1);
-        // From straight away, where θ = ϑ = π and dθ/dϑ = √(1−1/r), towards the edge: each texel starts
-        // from the last one's tangent.
+        // Solve from straight away from the hole, where θ = ϑ = π and dθ/dϑ = √(1−1/r), towards the shadow
+        // boundary. The first guess for each texel is on the tangent at the previous one.
         let mut texels = vec![[0.0; 2]; INVERSE_TEXELS as usize];
-        let mut log_offset = (PI - observer.edge_angle()).ln();
+        let mut log_offset = (PI - observer.shadow_angle()).ln();
         let mut slope = observer.lapse() * PI.hypot(scale) / log_offset.exp();
         for i in (0..INVERSE_TEXELS).rev() {
             let v = first + f64::from(i) * per_texel;
@@ -88,7 +106,7 @@ impl InverseRow {
                 (log_offset, slope) = solve(&observer, &bending, sky_angle, from);
                 slope *= scale * v.cosh();
             }
-            // θ_w = (scale/2) e^v, so that its logarithm has the slope 1.
+            // θ_w = (scale/2) e^v, so ln θ_w has the slope 1 in v.
             let weak = v + (0.5 * scale).ln();
             texels[i as usize] = [log_offset - weak, (slope - 1.0) * per_texel];
         }
@@ -101,15 +119,16 @@ impl InverseRow {
         })
     }
 
-    /// Whose inverse row it is.
+    /// The observer that the inverse row is for.
     pub fn observer(&self) -> &Observer {
         &self.observer
     }
 
-    /// Where the light that comes from the unwrapped sky angle `sky_angle` ≤ π (rad) is seen.
+    /// The image for the unwrapped sky angle `sky_angle` ≤ π (rad): the direction in which light from there is
+    /// seen.
     pub fn image(&self, sky_angle: f64) -> Image {
         let last = f64::from(INVERSE_TEXELS - 1);
-        // Beyond the first texel the light turns further, and ln(θ − θ_c) falls by as much.
+        // Below the first texel's ϑ, ln(θ − θ_c) is linear in ϑ with slope 1.
         let inside = sky_angle.max(FIRST);
         let v = (inside / self.scale).asinh();
         let q = (v - self.first) / (self.per_texel * last);
@@ -118,51 +137,51 @@ impl InverseRow {
         let offset = weak * (stored.value + (sky_angle - inside)).exp();
         let slope = 1.0 + stored.slope / (self.per_texel * last);
         Image {
-            theta: self.observer.edge_angle() + offset,
-            stretch: offset * slope / inside.hypot(self.scale),
+            theta: self.observer.shadow_angle() + offset,
+            radial_magnification: offset * slope / inside.hypot(self.scale),
         }
     }
 }
 
 impl Image {
-    /// How many times brighter than without the hole a point is seen that lies at the unwrapped sky angle
-    /// `sky_angle` (rad): μ = sin θ dθ / (|sin ϑ| dϑ). It grows without bound towards the axis, except
-    /// for the one image straight away from the hole.
+    /// Magnification of a point source at this image for the unwrapped sky angle `sky_angle` (rad), the ratio of
+    /// its brightness to that without the hole: μ = sin θ dθ / (|sin ϑ| dϑ). It grows without bound towards the
+    /// axis (sin ϑ = 0), except for the one image straight away from the hole.
     pub fn magnification(&self, sky_angle: f64) -> f64 {
-        // There both sines vanish; their ratio is dθ/dϑ to (π − ϑ)².
+        // Straight away from the hole both sines vanish; their ratio is dθ/dϑ up to terms of order (π − ϑ)².
         if PI - sky_angle < 1e-4 {
-            return self.stretch * self.stretch;
+            return self.radial_magnification * self.radial_magnification;
         }
         self.flux_per_sine() / sky_angle.sin().abs()
     }
 
     /// sin θ dθ/dϑ: the magnification times |sin ϑ|, which stays finite on the axis.
     pub fn flux_per_sine(&self) -> f64 {
-        self.theta.sin() * self.stretch
+        self.theta.sin() * self.radial_magnification
     }
 }
 
-/// ln(θ − θ_c) at the θ with θ − Δ(θ) = `sky_angle`, and its derivative by ϑ, by Newton's method from
-/// `from`.
+/// ln(θ − θ_c) at the θ with θ − Δ(θ) = `sky_angle`, and its derivative with respect to ϑ, by Newton's method from
+/// the first guess `from`.
 fn solve(
     observer: &Observer,
-    bending: impl Fn(EdgeCoordinate) -> Fate<BendAndSlope>,
+    bending: impl Fn(ShadowCoordinate) -> RayOutcome<BendAndSlope>,
     sky_angle: f64,
     from: f64,
 ) -> (f64, f64) {
-    const MOST_STEPS: usize = 30;
-    let edge = observer.edge_angle();
+    const MAX_STEPS: usize = 30;
+    let edge = observer.shadow_angle();
     let mut log_offset = from;
     let mut slope = 1.0;
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let offset = log_offset.exp().min(PI - edge);
-        let at = observer.edge_coordinate(edge + offset);
-        // Inside the edge by rounding only: FIRST is seven digits outside.
-        let Fate::Escapes(BendAndSlope { bend, slope: by_x }) = bending(at) else {
+        let at = observer.shadow_coordinate(edge + offset);
+        // Captured by rounding only: `FIRST` is seven decades outside the shadow boundary.
+        let RayOutcome::Escapes(BendAndSlope { bend, slope: by_x }) = bending(at) else {
             break;
         };
-        let stretch = 1.0 - by_x / observer.view_angle_slope(at.x);
-        slope = 1.0 / (offset * stretch);
+        let sky_slope = 1.0 - by_x / observer.view_angle_slope(at.x);
+        slope = 1.0 / (offset * sky_slope);
         let step = (sky_angle - (edge + offset - bend)) * slope;
         log_offset = offset.ln() + step;
         if step.abs() < 1e-13 {
@@ -191,9 +210,9 @@ mod tests {
                 .unwrap()
     }
 
-    /// View angles from the shadow's edge, seven decades outside it, to straight away.
+    /// View angles from seven decades outside the shadow boundary to straight away from the hole.
     fn view_angles(observer: &Observer) -> impl Iterator<Item = f64> {
-        let edge = observer.edge_angle();
+        let edge = observer.shadow_angle();
         (1..=2000)
             .map(move |i| edge + (PI - edge) * 10f64.powf(-7.0 * f64::from(i) / 2000.0))
             .chain((0..=500).map(move |i| PI - (PI - edge) * f64::from(i) / 501.0))
@@ -208,26 +227,27 @@ mod tests {
         for r in RADII {
             let inverse = inverse(r);
             let observer = *inverse.observer();
-            let (mut theta_error, mut stretch_error) = (0.0_f64, 0.0_f64);
+            let (mut theta_error, mut slope_error) = (0.0_f64, 0.0_f64);
             for theta in view_angles(&observer) {
                 let image = inverse.image(sky_angle(&observer, theta));
                 theta_error = theta_error.max((image.theta - theta).abs());
-                let offset = theta - observer.edge_angle();
-                // Nearer to the edge or to straight away, differences of the closed form are rounding.
+                let offset = theta - observer.shadow_angle();
+                // Closer to the shadow boundary or to θ = π, differences of the closed form are dominated by
+                // rounding.
                 if offset > 1e-6 && PI - theta > 1e-3 {
                     let h = 1e-3 * offset.min(PI - theta);
                     let rise = sky_angle(&observer, theta + h) - sky_angle(&observer, theta - h);
-                    stretch_error =
-                        stretch_error.max((image.stretch * rise / (2.0 * h) - 1.0).abs());
+                    slope_error = slope_error
+                        .max((image.radial_magnification * rise / (2.0 * h) - 1.0).abs());
                 }
             }
-            println!("r {r}: {theta_error:.1e} rad, slope {stretch_error:.1e}");
+            println!("r {r}: {theta_error:.1e} rad, slope {slope_error:.1e}");
             assert!(theta_error < 4e-7, "r {r}: {theta_error:e} rad");
-            assert!(stretch_error < 2e-4, "r {r}: slope {stretch_error:e}");
+            assert!(slope_error < 2e-4, "r {r}: slope {slope_error:e}");
         }
     }
 
-    /// The deflection of a distant ray is x times r_s/(r T): the lens equation of weak fields.
+    /// The deflection angle of a distant ray is x r_s/(r T) with T = tan(θ_c/2): the weak-field lens equation.
     #[test]
     fn a_distant_hole_has_its_einstein_ring() {
         for r in [1e4, 1e6] {
@@ -240,7 +260,7 @@ mod tests {
         }
     }
 
-    /// The sum of a distant point lens' two magnifications is (u² + 2)/(u √(u² + 4)), β = u θ_E
+    /// The magnifications of the two images of a distant point lens add up to (u² + 2)/(u √(u² + 4)), β = u θ_E
     /// (Paczyński 1986, Astrophys. J. 304, 1).
     #[test]
     fn a_distant_hole_magnifies_as_a_point_lens() {
@@ -276,26 +296,26 @@ mod tests {
     }
 
     #[test]
-    fn the_twin_in_f32_follows() {
+    fn the_mirror_in_f32_follows() {
         for r in RADII {
             let inverse = inverse(r);
-            let twin = GpuInverseRow::new(&inverse);
+            let mirror = GpuInverseRow::new(&inverse);
             for i in 0..4000 {
                 let angle = (PI - 7.0 * PI * f64::from(i) / 4000.0) as f32;
-                let (image, theirs) = (inverse.image(angle.into()), twin.image(angle));
+                let (image, theirs) = (inverse.image(angle.into()), mirror.image(angle));
                 let [cos, sin] = theirs.cos_sin.map(f64::from);
                 let (sin_theta, cos_theta) = image.theta.sin_cos();
                 let off = (cos - cos_theta).hypot(sin - sin_theta);
                 assert!(off < 1.5e-6, "r {r}, {angle}: {off:e}");
-                let stretch = f64::from(theirs.stretch) / image.stretch;
-                assert!((stretch - 1.0).abs() < 5e-5, "r {r}, {angle}: {stretch}");
+                let ratio = f64::from(theirs.radial_magnification) / image.radial_magnification;
+                assert!((ratio - 1.0).abs() < 5e-5, "r {r}, {angle}: {ratio}");
             }
         }
     }
 
     #[test]
     fn the_observer_at_infinity_has_none() {
-        let row = default_atlas().row(Observer::far()).unwrap();
-        assert_eq!(InverseRow::new(&row), Err(CoreError::FarHasNoAngle));
+        let row = default_atlas().row(Observer::at_infinity()).unwrap();
+        assert_eq!(InverseRow::new(&row), Err(CoreError::NoViewAngleAtInfinity));
     }
 }

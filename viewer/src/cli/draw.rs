@@ -1,32 +1,32 @@
-//! Options of what draws: the window, the pictures, their stars.
+//! Options of the window, of `render`, `diff` and `catalogue`, and of point stars.
 
 use super::scene::{MethodName, SamplingName, SceneArgs, ViewArgs};
 use super::values::{exposure, size, stars, stops};
 use clap::Args;
 use clap::builder::{OsStringValueParser, TypedValueParser};
+use lensbake_render::stars::StarSource;
 use std::path::PathBuf;
-use viewer::stars::StarSource;
 
-/// The file that a picture is written to unless another is named.
+/// Default output file of a picture.
 pub const PICTURE: &str = "lensed.png";
 
 /// Options of `viewer render`.
 #[derive(Debug, Args)]
 pub struct RenderArgs {
-    /// Picture to write: .png as a screen shows it, .exr in linear light, - for a .png on standard output.
+    /// Picture to write: .png (tone-mapped sRGB) or .exr (linear light); - writes a .png to standard output.
     #[arg(short, long, value_name = "FILE", default_value = PICTURE)]
     pub output: PathBuf,
-    /// Who bends the light: the table, direct integration, or nobody.
+    /// Deflection method: table lookup, direct integration, or no deflection.
     #[arg(long, value_enum, default_value_t = MethodName::Lut)]
     pub method: MethodName,
-    /// What of its area a pixel shows: all of it, or one ray through its middle.
+    /// What a pixel shows: the mean over its area, or one ray through its centre.
     #[arg(long, value_enum, default_value_t = SamplingName::Filtered)]
     pub sampling: SamplingName,
-    /// Exposure of a .png in stops, each twice as bright, from -32 to 32. An .exr holds all light as it is.
+    /// Exposure of a .png in stops, from -32 to 32; each stop doubles the brightness. An .exr is not affected.
     #[arg(long, value_name = "EV", default_value_t = 0.0, allow_negative_numbers = true, value_parser = exposure)]
     pub exposure: f32,
-    /// Draw by the least model with at most this error in image space, in pixels: the undeflected sky
-    /// or the shortest row that will do. Exit code 1 if not even the whole row will.
+    /// Draw with the least model (the undeflected sky or the shortest row of the table) whose error in image space
+    /// is at most this many pixels. Exit code 1 if even the whole row exceeds it.
     #[arg(
         long,
         value_name = "PX",
@@ -34,13 +34,14 @@ pub struct RenderArgs {
         allow_negative_numbers = true
     )]
     pub budget_px: Option<f64>,
-    /// Say which model would do for the budget (or for 0.1 px), which would not, and what they cost.
+    /// Print which models keep the error budget (0.1 px unless --budget-px is given), which do not, and what each
+    /// costs.
     #[arg(long)]
     pub explain: bool,
     /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// The stars before its sky.
+    /// The stars in front of its sky.
     #[command(flatten)]
     pub stars: StarArgs,
 }
@@ -48,11 +49,11 @@ pub struct RenderArgs {
 /// Point stars.
 #[derive(Debug, Clone, Args)]
 pub struct StarArgs {
-    /// Stars before the sky: `hipparcos`, or a catalogue: CSV with the columns ra, dec (degrees, J2000),
-    /// mag and, if known, bv; or the compact format. `--sky stars` alone means hipparcos.
+    /// Stars in front of the sky: `hipparcos`, or a catalogue file: CSV with the columns ra, dec (degrees, J2000),
+    /// mag and optionally bv, or the compact format. With `--sky stars` the default is hipparcos.
     #[arg(long, value_name = "STARS", value_parser = OsStringValueParser::new().try_map(stars))]
     pub stars: Option<StarSource>,
-    /// Exposure of the stars: each stop doubles their light.
+    /// Exposure of the stars in stops, from -30 to 30; each stop doubles their light.
     #[arg(
         long,
         value_name = "STOPS",
@@ -61,8 +62,8 @@ pub struct StarArgs {
         allow_negative_numbers = true
     )]
     pub star_exposure: f64,
-    /// Angular radius of every star in rad, above 0 and at most 0.001, in place of the catalogue's: it
-    /// caps the magnification of a star behind the hole.
+    /// Angular radius of every star in rad, above 0 and at most 0.001, instead of the catalogue's; it limits the
+    /// magnification of a star behind the hole.
     #[arg(long, value_name = "RAD", allow_negative_numbers = true)]
     pub star_radius: Option<f64>,
 }
@@ -70,10 +71,10 @@ pub struct StarArgs {
 /// Options of `viewer catalogue`.
 #[derive(Debug, Args)]
 pub struct CatalogueArgs {
-    /// The raw file.
+    /// Raw Hipparcos file: hip2.dat of CDS I/311.
     #[arg(value_name = "RAW")]
     pub raw: PathBuf,
-    /// Compact catalogue to write, - for standard output.
+    /// Compact catalogue to write; - is standard output.
     #[arg(short, long, value_name = "FILE", default_value = "hipparcos.stars")]
     pub output: PathBuf,
 }
@@ -81,17 +82,17 @@ pub struct CatalogueArgs {
 /// Options of `viewer diff`.
 #[derive(Debug, Args)]
 pub struct DiffArgs {
-    /// Heat map (PNG) of the lookup's distance from direct integration, in image space.
+    /// Heat map to write (PNG): the difference between table lookup and direct integration, in image space.
     #[arg(short, long, value_name = "FILE", default_value = "diff.png")]
     pub output: PathBuf,
-    /// Largest error of the lookup against the closed form allowed in image space, in pixels; above
-    /// it the exit code is 1.
+    /// Largest allowed error of the lookup against the closed form, in pixels of image space; if it is exceeded,
+    /// the exit code is 1.
     #[arg(long, value_name = "PX", default_value_t = 0.002)]
     pub budget_px: f64,
-    /// Draw by the least model within the budget in place of the whole row.
+    /// Draw with the least model within the budget instead of the whole row.
     #[arg(long)]
     pub least: bool,
-    /// Say which model would do for the budget, which would not, and what they cost.
+    /// Print which models keep the error budget, which do not, and what each costs.
     #[arg(long)]
     pub explain: bool,
     /// The scene.
@@ -102,16 +103,16 @@ pub struct DiffArgs {
 /// Options of the window.
 #[derive(Debug, Args)]
 pub struct WindowArgs {
-    /// Size of the window, in points: pixels of a screen that is not high-DPI.
+    /// Size of the window in logical pixels (points).
     #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = size)]
     pub size: (u32, u32),
     /// Fill the screen.
     #[arg(long)]
     pub fullscreen: bool,
-    /// What it shows at the start.
+    /// View and sky at the start.
     #[command(flatten)]
     pub view: ViewArgs,
-    /// The stars before its skies.
+    /// The stars in front of its skies.
     #[command(flatten)]
     pub stars: StarArgs,
 }

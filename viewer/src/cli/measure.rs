@@ -1,10 +1,10 @@
-//! Options of what measures.
+//! Options of the commands that measure: `chart`, `bench`, `reference` and `flicker`.
 
 use super::scene::DeviceName;
 use super::values::size;
 use clap::Args;
+use lensbake_render::camera::View;
 use std::path::PathBuf;
-use viewer::camera::View;
 
 /// Options of `viewer chart`.
 #[derive(Debug, Args)]
@@ -15,13 +15,13 @@ pub struct ChartArgs {
     /// Size of the picture [default: 1920x1080, with --quick 320x180].
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<(u32, u32)>,
-    /// Field of view across the picture, between 0 and 180.
+    /// Horizontal field of view, between 0 and 180.
     #[arg(long, value_name = "DEG", default_value_t = View::default().fov_deg, allow_negative_numbers = true)]
     pub fov: f64,
-    /// Radius of the camera, above 1 (the horizon).
+    /// Radial coordinate r of the camera in Schwarzschild radii, above 1 (the horizon).
     #[arg(short, long, value_name = "R", default_value_t = View::default().radius, allow_negative_numbers = true)]
     pub radius: f64,
-    /// A small picture and few rounds: seconds, to see that it works.
+    /// Use a small picture and few rounds: a check that takes seconds.
     #[arg(long)]
     pub quick: bool,
 }
@@ -33,7 +33,7 @@ pub struct BenchArgs {
     /// [default: 480x270,960x540,1920x1080,3840x2160].
     #[arg(long, value_name = "WxH,…", value_parser = size, value_delimiter = ',')]
     pub sizes: Option<Vec<(u32, u32)>>,
-    /// Length of the flight at each size, in seconds.
+    /// Duration of the flight at each size in seconds, from 0 to 3600.
     #[arg(
         long,
         value_name = "S",
@@ -41,14 +41,13 @@ pub struct BenchArgs {
         allow_negative_numbers = true
     )]
     pub seconds: f64,
-    /// Frames of each method at each size at the least, however long they take.
+    /// Least number of frames of each method at each size, however long they take.
     #[arg(long, value_name = "N", default_value_t = 15, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub rounds: u32,
-    /// File to write the figures to as comma-separated values; - is standard output, and the report goes to
-    /// standard error.
+    /// File to write the results to as CSV; with -, they go to standard output and the report to standard error.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
-    /// File to write the figures to as JSON, or - as for --csv.
+    /// File to write the results to as JSON; - as for --csv.
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
 }
@@ -62,10 +61,10 @@ pub struct ReferenceArgs {
     /// Size of the pictures.
     #[arg(long, value_name = "WxH", default_value = "640x360", value_parser = size)]
     pub size: (u32, u32),
-    /// Measure what filtering costs at 1920x1080 instead; writes nothing.
+    /// Measure the cost of filtering at 1920x1080 instead; writes no files.
     #[arg(long)]
     pub cost: bool,
-    /// Rays along the side of a pixel of the reference.
+    /// Rays along each side of a pixel of the reference picture (N x N rays per pixel).
     #[arg(long, value_name = "N", default_value_t = 32, value_parser = clap::value_parser!(u32).range(2..=64))]
     pub rays: u32,
 }
@@ -79,17 +78,17 @@ pub struct FlickerArgs {
     /// Size of the pictures.
     #[arg(long, value_name = "WxH", default_value = "480x270", value_parser = size)]
     pub size: (u32, u32),
-    /// Radius of the orbit, above 1 (the horizon).
+    /// Radial coordinate r of the orbit in Schwarzschild radii, above 1 (the horizon).
     #[arg(short, long, value_name = "R", default_value_t = View::default().radius, allow_negative_numbers = true)]
     pub radius: f64,
-    /// Frames of the orbit.
+    /// Number of frames in the orbit.
     #[arg(long, value_name = "N", default_value_t = 240, value_parser = clap::value_parser!(u32).range(8..=10_000))]
     pub frames: u32,
-    /// Stars: the brightest of Hipparcos that come into the pictures.
+    /// Number of stars: the brightest of Hipparcos that appear in the pictures.
     #[arg(long, value_name = "N", default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub stars: u32,
-    /// What draws three of the stars once more, beside the CPU: `gpu`, `auto` if there is one, `cpu` for
-    /// nothing.
+    /// Device that draws three of the stars again, after the CPU: `gpu`, `auto` (the GPU if there is one), or
+    /// `cpu` (none is drawn again).
     #[arg(short, long, value_enum, default_value_t = DeviceName::Auto)]
     pub device: DeviceName,
 }

@@ -1,34 +1,34 @@
-//! Options of a scene: the view, the sky, and what draws it.
+//! Options of a scene: view, sky, table and device.
 
 use super::values::{place, size, sky};
 use clap::builder::{OsStringValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
+use lensbake_render::camera::View;
+use lensbake_render::lens::Deflection;
+use lensbake_render::sky::SkySource;
 use std::path::PathBuf;
-use viewer::camera::View;
-use viewer::scene::Method;
-use viewer::sky::SkySource;
 
-/// The scene and what draws it.
+/// The scene, and the device that draws it.
 #[derive(Debug, Args)]
 pub struct SceneArgs {
     /// Size of the picture.
     #[arg(long, value_name = "WxH", default_value = "1920x1080", value_parser = size)]
     pub size: (u32, u32),
-    /// Where to draw. `auto` takes the GPU if there is one.
+    /// Device to draw on; `auto` is the GPU if there is one.
     #[arg(short, long, value_enum, default_value_t = DeviceName::Auto)]
     pub device: DeviceName,
-    /// The rest of it.
+    /// View, sky and table.
     #[command(flatten)]
     pub view: ViewArgs,
 }
 
-/// Where the camera is, how it looks, and at what.
+/// Position and orientation of the camera, sky, and bending table.
 #[derive(Debug, Clone, Args)]
 pub struct ViewArgs {
-    /// Field of view across the picture, between 0 and 180.
+    /// Horizontal field of view, between 0 and 180.
     #[arg(long, value_name = "DEG", default_value_t = View::default().fov_deg, allow_negative_numbers = true)]
     pub fov: f64,
-    /// Radius of the camera, above 1 (the horizon).
+    /// Radial coordinate r of the camera in Schwarzschild radii, above 1 (the horizon).
     #[arg(short, long, value_name = "R", default_value_t = View::default().radius, allow_negative_numbers = true)]
     pub radius: f64,
     /// Look this far to the right of the hole.
@@ -55,7 +55,7 @@ pub struct ViewArgs {
         allow_negative_numbers = true
     )]
     pub roll: f64,
-    /// Longitude of the camera about the hole.
+    /// Longitude of the camera around the hole.
     #[arg(
         long,
         value_name = "DEG",
@@ -63,7 +63,7 @@ pub struct ViewArgs {
         allow_negative_numbers = true
     )]
     pub orbit: f64,
-    /// Latitude of the camera about the hole.
+    /// Latitude of the camera around the hole.
     #[arg(
         long,
         value_name = "DEG",
@@ -71,7 +71,7 @@ pub struct ViewArgs {
         allow_negative_numbers = true
     )]
     pub latitude: f64,
-    /// The hole's place on the sky: right ascension and declination, J2000.
+    /// Position of the hole on the sky, instead of --orbit and --latitude: right ascension and declination, J2000.
     #[arg(
         long,
         value_name = "RA,DEC",
@@ -80,39 +80,40 @@ pub struct ViewArgs {
         allow_hyphen_values = true
     )]
     pub hole: Option<(f64, f64)>,
-    /// Sky: `nebula`, `starmap`, `grid`, `stars` (black, with the Hipparcos stars before it), a panorama (2:1), or six cube faces separated by commas:
-    /// right,left,top,bottom,front,back. PNG, JPEG, HDR or EXR.
+    /// Sky: `nebula`, `starmap`, `grid`, `stars` (black, with the Hipparcos stars unless --stars names others), a
+    /// 2:1 panorama, or six cube faces separated by commas: right,left,top,bottom,front,back. Files are PNG, JPEG,
+    /// HDR or EXR.
     #[arg(short, long, value_name = "SKY", default_value = "nebula", value_parser = OsStringValueParser::new().try_map(sky))]
     pub sky: SkySource,
-    /// Bending table [default: the built-in atlas].
+    /// Bending table file [default: the built-in atlas].
     #[arg(short, long, value_name = "FILE")]
     pub table: Option<PathBuf>,
-    /// Step of direct integration on the orbit, in rad, from 0.001 to 0.5.
-    #[arg(long, value_name = "RAD", default_value_t = Method::DEFAULT_STEP, allow_negative_numbers = true)]
+    /// Step of direct integration in orbital angle, in rad, from 0.001 to 0.5.
+    #[arg(long, value_name = "RAD", default_value_t = Deflection::DEFAULT_STEP, allow_negative_numbers = true)]
     pub step: f64,
 }
 
-/// Who bends the light.
+/// Deflection method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum MethodName {
-    /// The table: one lookup a pixel.
+    /// Table lookup: one per pixel.
     Lut,
-    /// RK4 along every ray.
+    /// Direct integration: RK4 along every ray.
     Direct,
-    /// Nobody; the horizon is a plain sphere.
+    /// No deflection; the horizon is a plain sphere.
     Flat,
 }
 
-/// What of its area a pixel shows.
+/// How a pixel samples its area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum SamplingName {
-    /// One ray through its middle.
+    /// One ray through its centre.
     Single,
-    /// The mean of all of it.
+    /// The mean over its area.
     Filtered,
 }
 
-/// Where to draw.
+/// Device to draw on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum DeviceName {
     /// On the GPU if there is one, else on the CPU.
@@ -124,9 +125,9 @@ pub enum DeviceName {
 }
 
 impl ViewArgs {
-    /// The view asked for, in a picture of this size.
+    /// The view that the options describe, for a picture of this size.
     pub fn view(&self, (width, height): (u32, u32)) -> View {
-        // Seen from the hole, the camera is opposite to where the hole is seen.
+        // The direction from the hole to the camera is opposite to the one in which the camera sees the hole.
         let (orbit_deg, latitude_deg) = match self.hole {
             Some((right_ascension, declination)) => (right_ascension, -declination),
             None => (self.orbit, self.latitude),

@@ -1,12 +1,12 @@
-//! Values that options take, from text; an error says what is expected.
+//! Parsers of option values; an error says what is expected.
 
+use lensbake_render::sky::SkySource;
+use lensbake_render::stars::StarSource;
+use lensbake_render::tone_map::EXPOSURES;
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
-use viewer::sky::SkySource;
-use viewer::stars::StarSource;
-use viewer::tone_map::EXPOSURES;
 
-/// An exposure of a picture, in stops.
+/// Parses the exposure of a picture in stops.
 pub fn exposure(text: &str) -> Result<f32, String> {
     let stops = text.parse().ok().filter(|stops| EXPOSURES.contains(stops));
     stops.ok_or_else(|| {
@@ -15,7 +15,7 @@ pub fn exposure(text: &str) -> Result<f32, String> {
     })
 }
 
-/// Width and height, pixels.
+/// Parses width and height in pixels, like 1920x1080.
 pub fn size(text: &str) -> Result<(u32, u32), String> {
     let parsed = text.split_once(['x', 'X']).and_then(|(width, height)| {
         let width = width.trim().parse().ok()?;
@@ -24,7 +24,7 @@ pub fn size(text: &str) -> Result<(u32, u32), String> {
     parsed.ok_or_else(|| "must be like 1920x1080".to_owned())
 }
 
-/// Right ascension and declination, degrees.
+/// Parses right ascension and declination in degrees.
 pub fn place(text: &str) -> Result<(f64, f64), String> {
     let parsed = text
         .split_once(',')
@@ -40,13 +40,13 @@ pub fn place(text: &str) -> Result<(f64, f64), String> {
         })
 }
 
-/// An exposure of stars, in stops.
+/// Parses the exposure of stars in stops.
 pub fn stops(text: &str) -> Result<f64, String> {
     let parsed = text.parse().ok().filter(|stops: &f64| stops.abs() <= 30.0);
     parsed.ok_or_else(|| "must be a number of stops from -30 to 30".to_owned())
 }
 
-/// Where stars come from.
+/// Parses the source of stars: the built-in catalogue or a file.
 pub fn stars(name: OsString) -> Result<StarSource, String> {
     if name == "hipparcos" {
         Ok(StarSource::Hipparcos)
@@ -57,7 +57,7 @@ pub fn stars(name: OsString) -> Result<StarSource, String> {
     }
 }
 
-/// Where a sky comes from. A file goes before six files: a name may have commas.
+/// Parses the source of a sky. The name of an existing file is one panorama even if it contains commas.
 pub fn sky(name: OsString) -> Result<SkySource, String> {
     match name.to_str() {
         Some("nebula") => return Ok(SkySource::Nebula),
@@ -82,7 +82,7 @@ pub fn sky(name: OsString) -> Result<SkySource, String> {
     })
 }
 
-/// The names of a list; one that is not UTF-8 is whole.
+/// Splits a list of file names at its commas; text that is not UTF-8 counts as one name.
 fn split_at_commas(list: &OsStr) -> Vec<PathBuf> {
     match list.to_str() {
         Some(text) => text.split(',').map(PathBuf::from).collect(),

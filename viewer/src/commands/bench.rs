@@ -1,16 +1,17 @@
-//! `viewer bench`: frames a second and time a ray, on the GPU at hand.
+//! `viewer bench`: measures frames per second and time per ray on this machine's GPU.
 
 use super::CommandError;
 use crate::cli::BenchArgs;
-use lensbake_report::{Outcome, Printer, Progress, message};
+use lensbake_program::output::Output;
+use lensbake_program::{Outcome, Printer, Progress, message};
+use lensbake_render::gpu::{Gpu, Renderer};
+use lensbake_render::sky::{self, SkySource};
+use lensbake_render::stars::{StarField, hipparcos};
+use lensbake_studies::bench::{self, SIZES, Workload, report};
 use lensbake_tables::default_atlas;
-use lensbake_tables::output::Output;
+use pollster::block_on;
 use std::path::PathBuf;
 use std::time::Duration;
-use viewer::bench::{self, Effort, SIZES, report};
-use viewer::gpu::{Gpu, Renderer};
-use viewer::sky::{self, SkySource};
-use viewer::stars::{StarField, hipparcos};
 
 /// Steps of the progress bar.
 const STEPS: f64 = 1000.0;
@@ -24,18 +25,18 @@ pub fn run(args: &BenchArgs) -> Result<Outcome, CommandError> {
     if !(args.seconds >= 0.0 && args.seconds <= 3600.0) {
         return Err(CommandError::Seconds(args.seconds));
     }
-    let effort = Effort {
+    let workload = Workload {
         sizes: args.sizes.clone().unwrap_or(SIZES.to_vec()),
         swing: Duration::from_secs_f64(args.seconds.max(1e-3)),
         rounds: args.rounds,
     };
-    let gpu = Gpu::open()?;
-    let renderer = Renderer::new(&gpu, &sky::load(&SkySource::Nebula)?)?;
+    let renderer = Renderer::new(&block_on(Gpu::open())?);
+    let sky = sky::load(&SkySource::Nebula)?;
     let stars = StarField::new(&hipparcos(), 0.0);
     let progress = Progress::new("measuring", STEPS as u64);
-    let bench = bench::run(renderer, &stars, default_atlas(), &effort, |part| {
-        progress.reach((part * STEPS) as u64);
-    })?;
+    let reach = |part| progress.reach((part * STEPS) as u64);
+    let run = bench::run(&renderer, &sky, &stars, default_atlas(), &workload, reach);
+    let bench = block_on(run)?;
     progress.finish();
     let data_on_stdout = [&csv, &json]
         .into_iter()

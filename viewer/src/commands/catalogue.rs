@@ -1,10 +1,10 @@
-//! `viewer catalogue`: the raw Hipparcos file to the compact one.
+//! `viewer catalogue`: converts the raw Hipparcos file to the compact catalogue.
 
 use super::CommandError;
 use crate::cli::CatalogueArgs;
-use lensbake_report::{Outcome, message};
-use lensbake_tables::output::Output;
-use viewer::stars::{self, StarsError};
+use lensbake_program::output::Output;
+use lensbake_program::{Outcome, message};
+use lensbake_render::stars::{self, StarsError};
 
 pub fn run(args: &CatalogueArgs) -> Result<Outcome, CommandError> {
     let output = Output::binary(&args.output)?;

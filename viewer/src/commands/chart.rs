@@ -1,25 +1,28 @@
-//! `viewer chart`: speed against accuracy of every way to draw, on the GPU at hand.
+//! `viewer chart`: charts speed against accuracy of every method of drawing, on this machine's GPU.
 
 use super::CommandError;
 use crate::cli::ChartArgs;
-use lensbake_report::{Outcome, Progress, drawing, message};
+use lensbake_program::output::OutputFolder;
+use lensbake_program::{Outcome, Progress, message};
+use lensbake_render::camera::{Camera, View};
+use lensbake_render::gpu::{Gpu, Renderer};
+use lensbake_render::lens::{Deflection, Lens};
+use lensbake_render::sky::{self, SkySource};
+use lensbake_studies::figure::drawing;
+use lensbake_studies::gpu_chart::figure::ChartFigure;
+use lensbake_studies::gpu_chart::{Workload, contenders, csv, measure, steps};
 use lensbake_tables::default_atlas;
-use lensbake_tables::output::OutputFolder;
-use viewer::camera::{Camera, View};
-use viewer::chart::figure::ChartFigure;
-use viewer::chart::{Effort, contenders, csv, measure, steps};
-use viewer::gpu::{Gpu, Renderer};
-use viewer::scene::{Method, Scene};
-use viewer::sky::{self, SkySource};
+use pollster::block_on;
+use std::sync::Arc;
 
 pub fn run(args: &ChartArgs) -> Result<Outcome, CommandError> {
     let folder = OutputFolder::new(&args.output)?;
     let [table, svg, png] = ["gpu.csv", "gpu.svg", "gpu.png"].map(|name| folder.file(name));
     let (table, svg, png) = (table?, svg?, png?);
-    let (effort, default_size) = if args.quick {
-        (Effort::QUICK, (320, 180))
+    let (workload, default_size) = if args.quick {
+        (Workload::QUICK, (320, 180))
     } else {
-        (Effort::FULL, (1920, 1080))
+        (Workload::FULL, (1920, 1080))
     };
     let (width, height) = args.size.unwrap_or(default_size);
     let camera = Camera::new(&View {
@@ -29,15 +32,15 @@ pub fn run(args: &ChartArgs) -> Result<Outcome, CommandError> {
         height,
         ..View::default()
     })?;
-    let gpu = Gpu::open()?;
-    let renderer = Renderer::new(&gpu, &sky::load(&SkySource::Nebula)?)?;
-    let scene = Scene::new(camera, default_atlas(), Method::Lut)
-        .map_err(viewer::chart::ChartError::Scene)?;
-    let contenders = contenders(&scene).map_err(viewer::chart::ChartError::Scene)?;
-    let progress = Progress::new("measuring", steps(effort, contenders.len()));
-    let chart = measure(&gpu, &renderer, &scene, contenders, effort, || {
-        progress.step();
-    })?;
+    let renderer = Renderer::new(&block_on(Gpu::open())?);
+    let sky = Arc::new(sky::load(&SkySource::Nebula)?);
+    let lens = Lens::new(camera, default_atlas(), Deflection::Lut)
+        .map_err(lensbake_studies::gpu_chart::ChartError::Lens)?;
+    let contenders = contenders(&lens).map_err(lensbake_studies::gpu_chart::ChartError::Lens)?;
+    let progress = Progress::new("measuring", steps(workload, contenders.len()));
+    let step = || progress.step();
+    let measured = measure(&renderer, &lens, &sky, contenders, workload, step);
+    let chart = block_on(measured)?;
     progress.finish();
     table.write(csv::text(&chart).as_bytes())?;
     let figure = ChartFigure(&chart);

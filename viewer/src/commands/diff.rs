@@ -1,27 +1,30 @@
-//! `viewer diff`: lookup against direct integration on the device at hand, and both against the closed
+//! `viewer diff`: compares table lookup with direct integration on the chosen device, and both with the closed
 //! form on the CPU.
 
-use super::{CommandError, gpu_for, least, scene, spare_inputs};
+use super::{CommandError, gpu_for, least, lens, spare_inputs};
 use crate::cli::DiffArgs;
 use glam::DVec3;
-use lensbake_core::Fate;
-use lensbake_report::{Outcome, Printer, Progress, message};
-use lensbake_tables::output::Output;
-use viewer::cpu;
-use viewer::diff::{PictureDifference, Reference, TraceStatistics};
-use viewer::gpu::Renderer;
-use viewer::heat_map;
-use viewer::picture::{Picture, PictureFormat};
-use viewer::scene::{Method, Scene};
-use viewer::sky::{self, Sky};
+use lensbake_core::RayOutcome;
+use lensbake_program::output::Output;
+use lensbake_program::{Outcome, Printer, Progress, message};
+use lensbake_render::cpu;
+use lensbake_render::diff::{PictureDifference, Reference, TraceStatistics};
+use lensbake_render::gpu::Renderer;
+use lensbake_render::lens::{Deflection, Lens};
+use lensbake_render::picture::{Picture, PictureFormat};
+use lensbake_render::scene::Scene;
+use lensbake_render::sky::{self, Sky};
+use lensbake_studies::heat_map;
+use pollster::block_on;
+use std::sync::Arc;
 
 pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
     least::check_budget(args.budget_px)?;
     let output = heat_map_file(args)?;
     let step = args.scene.view.step;
-    let direct = scene(&args.scene, Method::Direct { step })?;
-    let mut lut = direct.by(Method::Lut);
-    let sky = sky::load(&args.scene.view.sky)?;
+    let direct = lens(&args.scene, Deflection::Direct { step })?;
+    let mut lut = direct.with_deflection(Deflection::Lut);
+    let sky = Arc::new(sky::load(&args.scene.view.sky)?);
     let gpu = gpu_for(args.scene.device, &lut.camera)?;
     let mut printer = Printer::new(false);
     let reference = with_progress(&lut, |progress| Reference::new(&lut, || progress.step()));
@@ -31,15 +34,15 @@ pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
             least::print(&choice, &lut, step, &mut printer);
         }
         if args.least {
-            lut = least::scene_of(choice, &lut);
+            lut = least::lens_of(choice, &lut);
         }
     }
     let (lut, direct, device) = match &gpu {
         Some(gpu) => {
-            let renderer = Renderer::new(gpu, &sky)?;
+            let renderer = Renderer::new(gpu);
             (
-                on_gpu(&renderer, &lut)?,
-                on_gpu(&renderer, &direct)?,
+                on_gpu(&renderer, &lut, &sky)?,
+                on_gpu(&renderer, &direct, &sky)?,
                 gpu.name(),
             )
         }
@@ -47,7 +50,7 @@ pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
     };
     let apart = reference.errors(&lut.trace, &direct.trace);
     let title = format!("lookup against direct integration on {device}");
-    // What fails of heat map and report keeps nothing of the rest from the user.
+    // If the heat map cannot be written, the report is still printed; the error is returned afterwards.
     let written = heat_map::png(lut.picture.width(), &apart, &title)
         .map_err(CommandError::from)
         .and_then(|bytes| Ok(output.write(&bytes)?));
@@ -79,7 +82,7 @@ pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
     Ok(outcome(&statistics, args.budget_px))
 }
 
-/// The file of the heat map, which is none of the files that the scene is read from.
+/// The output file of the heat map; an error if it is one of the scene's input files.
 fn heat_map_file(args: &DiffArgs) -> Result<Output, CommandError> {
     PictureFormat::of(&args.output, &[PictureFormat::Png])?;
     let output = Output::new(&args.output)?;
@@ -90,7 +93,7 @@ fn heat_map_file(args: &DiffArgs) -> Result<Output, CommandError> {
     Ok(output)
 }
 
-/// A difference and what it comes to; none if no pixel sees the sky.
+/// Name of a difference and its statistics; `None` if no pixel sees the sky.
 type Difference = (&'static str, Option<TraceStatistics>);
 
 fn line((what, statistics): &Difference) -> String {
@@ -102,8 +105,8 @@ fn line((what, statistics): &Difference) -> String {
         count => format!("   no value: {count} pixels"),
     };
     format!(
-        "{what:21} rad  {}\n{:21} px   {}   other fate: {} pixels{no_value}\n",
-        statistics.radians, "", statistics.pixels, statistics.other_fates
+        "{what:21} rad  {}\n{:21} px   {}   outcome differs: {} pixels{no_value}\n",
+        statistics.radians, "", statistics.pixels, statistics.differing_outcomes
     )
 }
 
@@ -114,7 +117,7 @@ fn pictures_line(difference: &PictureDifference) -> String {
     )
 }
 
-/// Whether the lookup keeps its budget against the closed form, the first of the differences.
+/// Whether the lookup's error against the closed form, the first of the differences, is within the budget.
 fn outcome(statistics: &[Difference], budget_px: f64) -> Outcome {
     match statistics.first().and_then(|(_, statistics)| *statistics) {
         Some(statistics) if statistics.pixels.max <= budget_px => return Outcome::Done,
@@ -124,32 +127,32 @@ fn outcome(statistics: &[Difference], budget_px: f64) -> Outcome {
     Outcome::Missed
 }
 
-/// A scene drawn one way.
+/// A scene drawn by one method.
 struct Drawn {
     picture: Picture,
-    trace: Vec<Fate<DVec3>>,
+    trace: Vec<RayOutcome<DVec3>>,
 }
 
-fn on_gpu(renderer: &Renderer, scene: &Scene) -> Result<Drawn, CommandError> {
-    let picture = with_progress(scene, |p| {
-        renderer.picture(scene, |rows| p.reach(rows.into()))
+fn on_gpu(renderer: &Renderer, lens: &Lens, sky: &Arc<Sky>) -> Result<Drawn, CommandError> {
+    let scene = Scene::new(lens.clone(), sky.clone());
+    let picture = with_progress(lens, |p| {
+        block_on(renderer.picture(&scene, |rows| p.reach(rows.into())))
     })?;
-    let trace = with_progress(scene, |p| {
-        renderer.trace(scene, |rows| p.reach(rows.into()))
+    let trace = with_progress(lens, |p| {
+        block_on(renderer.trace(lens, |rows| p.reach(rows.into())))
     })?;
     Ok(Drawn { picture, trace })
 }
 
-fn on_cpu(scene: &Scene, sky: &Sky) -> Drawn {
-    let picture = with_progress(scene, |progress| {
-        cpu::render(scene, sky, || progress.step())
-    });
-    let trace = with_progress(scene, |progress| cpu::trace(scene, || progress.step()));
+fn on_cpu(lens: &Lens, sky: &Arc<Sky>) -> Drawn {
+    let scene = Scene::new(lens.clone(), sky.clone());
+    let picture = with_progress(lens, |progress| cpu::render(&scene, || progress.step()));
+    let trace = with_progress(lens, |progress| cpu::trace(lens, || progress.step()));
     Drawn { picture, trace }
 }
 
-fn with_progress<T>(scene: &Scene, work: impl FnOnce(&Progress) -> T) -> T {
-    let progress = Progress::new("comparing", scene.camera.height.into());
+fn with_progress<T>(lens: &Lens, work: impl FnOnce(&Progress) -> T) -> T {
+    let progress = Progress::new("comparing", lens.camera.height.into());
     let answer = work(&progress);
     progress.finish();
     answer

@@ -1,34 +1,37 @@
-//! `viewer flicker`: the light of stars in an orbit, frame by frame, against the analytic curve.
+//! `viewer flicker`: compares the light of stars during an orbit, frame by frame, with the analytic light curve.
 
 use super::{CommandError, gpu};
 use crate::cli::FlickerArgs;
-use lensbake_report::{Outcome, Printer, Progress, drawing, message};
-use lensbake_tables::output::OutputFolder;
-use viewer::camera::View;
-use viewer::flicker::figure::Panels;
-use viewer::flicker::{
-    Orbit, Subject, Track, choose, closer_look, csv, follow, point_on_gpu, report,
+use lensbake_program::output::OutputFolder;
+use lensbake_program::{Outcome, Printer, Progress, message};
+use lensbake_render::camera::View;
+use lensbake_render::gpu::Renderer;
+use lensbake_render::lens::Lens;
+use lensbake_render::stars;
+use lensbake_studies::figure::drawing;
+use lensbake_studies::flicker::figure::Panels;
+use lensbake_studies::flicker::{
+    Orbit, Subject, Track, choose, closer_look, follow, point_on_gpu, report,
 };
-use viewer::gpu::Gpu;
-use viewer::scene::Scene;
-use viewer::stars;
+use pollster::block_on;
 
 pub fn run(args: &FlickerArgs) -> Result<Outcome, CommandError> {
     let folder = OutputFolder::new(&args.output)?;
     let (table, picture) = (folder.file("flicker.csv")?, folder.file("flicker.png")?);
     let mut printer = Printer::new(false);
-    let scenes = orbit(args).scenes()?;
-    let subjects = subjects(&scenes, args.stars)?;
+    let lenses = orbit(args).lenses()?;
+    let subjects = subjects(&lenses, args.stars)?;
     let gpu = gpu(args.device)?;
-    let mut tracks = follow_all(subjects, &scenes, &mut printer)?;
+    let mut tracks = follow_all(subjects, &lenses, &mut printer)?;
     let closer = closer_look(&tracks);
     if let Some(gpu) = &gpu {
+        let renderer = Renderer::new(gpu);
         for &star in &closer {
-            draw_again(gpu, &scenes, &mut tracks[star], &mut printer)?;
+            draw_again(&renderer, &lenses, &mut tracks[star], &mut printer)?;
         }
     }
-    let lines: String = tracks.iter().map(csv::line).collect();
-    table.write((csv::HEAD.to_owned() + &lines).as_bytes())?;
+    let lines: String = tracks.iter().map(report::csv_line).collect();
+    table.write((report::CSV_HEAD.to_owned() + &lines).as_bytes())?;
     let shown: Vec<&Track> = closer.iter().map(|&star| &tracks[star]).collect();
     picture.write(&drawing::png(&Panels(&shown))?)?;
     message!("wrote {}", folder.path().display());
@@ -54,26 +57,26 @@ fn orbit(args: &FlickerArgs) -> Orbit {
     }
 }
 
-fn subjects(scenes: &[Scene], count: u32) -> Result<Vec<Subject>, CommandError> {
+fn subjects(lenses: &[Lens], count: u32) -> Result<Vec<Subject>, CommandError> {
     let progress = Progress::new("choosing", count.into());
-    let chosen = choose(&stars::hipparcos(), scenes, count as usize, |chosen| {
+    let chosen = choose(&stars::hipparcos(), lenses, count as usize, |chosen| {
         progress.reach(chosen as u64);
     })?;
     progress.finish();
     Ok(chosen)
 }
 
-/// Follows the stars one by one, each printed when it is known.
+/// Follows the stars one by one and prints each result as soon as it is known.
 fn follow_all(
     subjects: Vec<Subject>,
-    scenes: &[Scene],
+    lenses: &[Lens],
     printer: &mut Printer,
 ) -> Result<Vec<Track>, CommandError> {
     printer.print(&report::head());
     let mut tracks = Vec::with_capacity(subjects.len());
     for subject in subjects {
-        let progress = Progress::new("following", scenes.len() as u64);
-        let track = follow(subject, scenes, || progress.step())?;
+        let progress = Progress::new("following", lenses.len() as u64);
+        let track = follow(subject, lenses, || progress.step());
         progress.finish();
         printer.print(&report::line(&track));
         tracks.push(track);
@@ -82,14 +85,15 @@ fn follow_all(
 }
 
 fn draw_again(
-    gpu: &Gpu,
-    scenes: &[Scene],
+    renderer: &Renderer,
+    lenses: &[Lens],
     track: &mut Track,
     printer: &mut Printer,
 ) -> Result<(), CommandError> {
     let progress = Progress::new("on the GPU", track.frames.len() as u64);
-    track.on_gpu = Some(point_on_gpu(gpu, scenes, track, || progress.step())?);
+    let off = point_on_gpu(renderer, lenses, track, || progress.step());
+    track.on_gpu = Some(block_on(off)?);
     progress.finish();
-    printer.print(&report::gpu_line(track, &gpu.name()));
+    printer.print(&report::gpu_line(track, &renderer.gpu().name()));
     Ok(())
 }

@@ -1,20 +1,20 @@
-//! The least model, as the commands ask for it.
+//! Choice of the least model, the cheapest within an error budget, for `render` and `diff`.
 
 use super::CommandError;
-use lensbake_report::{Printer, message};
+use lensbake_program::{Printer, message};
+use lensbake_render::gpu::Gpu;
+use lensbake_render::lens::Lens;
+use lensbake_render::model::{Choice, Precision, choose, explain};
 use std::time::Instant;
-use viewer::gpu::Gpu;
-use viewer::model::{Choice, Precision, choose, explain};
-use viewer::scene::Scene;
 
-/// The choice for `scene` on the GPU, or on the CPU without one.
-pub fn choice(scene: &Scene, budget_px: f64, gpu: Option<&Gpu>) -> Result<Choice, CommandError> {
+/// Chooses the least model for `lens` at the precision of the GPU (f32), or of the CPU (f64) without one.
+pub fn choice(lens: &Lens, budget_px: f64, gpu: Option<&Gpu>) -> Result<Choice, CommandError> {
     let precision = match gpu {
         Some(_) => Precision::F32,
         None => Precision::F64,
     };
     let started = Instant::now();
-    let choice = choose(scene, budget_px, precision).map_err(|problem| CommandError::Scene {
+    let choice = choose(lens, budget_px, precision).map_err(|problem| CommandError::Lens {
         name: "the least model".into(),
         problem,
     })?;
@@ -23,15 +23,16 @@ pub fn choice(scene: &Scene, budget_px: f64, gpu: Option<&Gpu>) -> Result<Choice
     Ok(choice)
 }
 
-/// Explains `choice`.
-pub fn print(choice: &Choice, scene: &Scene, step: f64, printer: &mut Printer) {
-    printer.print(&explain(choice, scene, step));
+/// Prints the explanation of `choice`.
+pub fn print(choice: &Choice, lens: &Lens, step: f64, printer: &mut Printer) {
+    printer.print(&explain(choice, lens, step));
 }
 
-/// The scene to draw: by the chosen model, or with a line of warning by the whole row.
-pub fn scene_of(choice: Choice, whole: &Scene) -> Scene {
+/// The lens of the chosen model. If no model keeps the budget, prints a warning and returns the lens of the whole
+/// row.
+pub fn lens_of(choice: Choice, whole: &Lens) -> Lens {
     match choice.chosen {
-        Some(candidate) => candidate.scene,
+        Some(candidate) => candidate.lens,
         None => {
             let advice = if choice.rounding_px > choice.budget_px {
                 " (f32 rounding alone breaks it: try --device cpu)"
@@ -47,7 +48,7 @@ pub fn scene_of(choice: Choice, whole: &Scene) -> Scene {
     }
 }
 
-/// Refuses a budget that is none.
+/// Refuses a budget that is not positive and finite.
 pub fn check_budget(budget_px: f64) -> Result<(), CommandError> {
     if budget_px > 0.0 && budget_px.is_finite() {
         Ok(())

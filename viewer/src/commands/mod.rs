@@ -12,100 +12,101 @@ pub mod window;
 
 use crate::cli::{DeviceName, SceneArgs, StarArgs, ViewArgs};
 use lensbake_core::CoreError;
-use lensbake_report::drawing::DrawError;
-use lensbake_report::{PrintError, message};
-use lensbake_tables::output::{Output, OutputError};
+use lensbake_program::output::{Output, OutputError};
+use lensbake_program::{PrintError, message};
+use lensbake_render::camera::{Camera, CameraError};
+use lensbake_render::gpu::{Gpu, GpuError};
+use lensbake_render::lens::{Deflection, Lens, LensError};
+use lensbake_render::model::Precision;
+use lensbake_render::picture::PictureError;
+use lensbake_render::sky::{SkyError, SkySource};
+use lensbake_render::stars::{self, MAX_DISC_RADIUS, StarField, StarSource, StarsError};
+use lensbake_studies::bench::BenchError;
+use lensbake_studies::figure::drawing::DrawError;
+use lensbake_studies::flicker::FlickerError;
+use lensbake_studies::gpu_chart::ChartError;
+use lensbake_studies::reference::StudyError;
 use lensbake_tables::{ContainerError, Table, container, default_atlas};
+use pollster::block_on;
 use std::borrow::Cow;
 use std::path::PathBuf;
 use thiserror::Error;
-use viewer::bench::BenchError;
-use viewer::camera::{Camera, CameraError};
-use viewer::chart::ChartError;
-use viewer::flicker::FlickerError;
-use viewer::gpu::{Gpu, GpuError};
-use viewer::model::Precision;
-use viewer::picture::PictureError;
-use viewer::reference::StudyError;
-use viewer::scene::{Method, Scene, SceneError};
-use viewer::sky::{SkyError, SkySource};
-use viewer::stars::{self, MAX_DISC_RADIUS, StarField, StarSource, StarsError};
 use viewer::window::WindowError;
 
-/// Why a command could not do its work.
+/// Why a command failed.
 #[derive(Debug, Error)]
 pub enum CommandError {
-    /// The view makes no camera.
+    /// The view is not a valid camera.
     #[error("{}: {_0}", flag_of(_0))]
     Camera(#[from] CameraError),
-    /// A table file.
+    /// A table file cannot be read.
     #[error(transparent)]
     Container(#[from] ContainerError),
-    /// The table does not serve the camera.
+    /// The table cannot be used for the camera, or the step is out of range.
     #[error("{name}: {problem}")]
-    Scene {
-        /// The table.
+    Lens {
+        /// Name of the table or flag.
         name: String,
         /// What is wrong.
-        problem: SceneError,
+        problem: LensError,
     },
-    /// The sky.
+    /// The sky cannot be loaded.
     #[error(transparent)]
     Sky(#[from] SkyError),
-    /// The stars.
+    /// The stars cannot be loaded.
     #[error(transparent)]
     Stars(#[from] StarsError),
-    /// The radius of the stars.
+    /// The angular radius of the stars is out of range.
     #[error("--star-radius {0} is not above 0 and at most {MAX_DISC_RADIUS} rad")]
     StarRadius(f64),
-    /// An observer without a view angle.
+    /// The observer has no view angle.
     #[error(transparent)]
     Observer(#[from] CoreError),
-    /// The GPU.
+    /// There is no GPU, or it failed.
     #[error(transparent)]
     Gpu(#[from] GpuError),
-    /// The picture.
+    /// The picture cannot be encoded, or its file has an unknown format.
     #[error(transparent)]
     Picture(#[from] PictureError),
-    /// The chart.
+    /// The chart failed.
     #[error(transparent)]
     Chart(#[from] ChartError),
-    /// The study of the filter.
+    /// The study of the filter failed.
     #[error(transparent)]
     Study(#[from] StudyError),
-    /// The flicker of stars.
+    /// The study of flicker failed.
     #[error(transparent)]
     Flicker(#[from] FlickerError),
-    /// The window.
+    /// The window failed.
     #[error(transparent)]
     Window(#[from] WindowError),
-    /// The benchmark.
+    /// The benchmark failed.
     #[error(transparent)]
     Bench(#[from] BenchError),
-    /// A file to write.
+    /// An output file cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),
-    /// A figure.
+    /// A figure cannot be drawn.
     #[error(transparent)]
     Draw(#[from] DrawError),
-    /// Figures that do not go into JSON.
+    /// The results cannot be encoded as JSON.
     #[error("JSON: {0}")]
     Json(serde_json::Error),
-    /// A length of time that is none.
+    /// The duration is out of range.
     #[error("--seconds {0} is not from 0 to 3600")]
     Seconds(f64),
-    /// A budget that is none.
+    /// The budget is not a positive number.
     #[error("--budget-px {0} is not a positive number of pixels")]
     Budget(f64),
-    /// Standard output.
+    /// Standard output cannot be written.
     #[error(transparent)]
     Print(#[from] PrintError),
-    /// The report and the data would be mixed.
+    /// The picture and the report would both go to standard output.
     #[error("{0} - would mix the picture with the report on standard output; name a file")]
     ReportTakesOutput(&'static str),
 }
 
-/// The flag whose value makes no camera.
+/// The flag whose value `error` refuses.
 fn flag_of(error: &CameraError) -> String {
     match error {
         CameraError::Radius(_) | CameraError::TooFar(_) => "--radius".into(),
@@ -115,7 +116,7 @@ fn flag_of(error: &CameraError) -> String {
     }
 }
 
-/// Checks that `output` goes over none of the files that `view` and `stars` are read from.
+/// Checks that `output` overwrites none of the input files of `view` and `stars`.
 fn spare_inputs(
     output: &Output,
     view: &ViewArgs,
@@ -133,27 +134,27 @@ fn spare_inputs(
         .try_for_each(|input| output.spares(input))
 }
 
-/// The scene that the arguments describe.
-fn scene(args: &SceneArgs, method: Method) -> Result<Scene, CommandError> {
+/// The lens that the arguments describe.
+fn lens(args: &SceneArgs, deflection: Deflection) -> Result<Lens, CommandError> {
     let camera = Camera::new(&args.view.view(args.size))?;
     let (table, name) = table(&args.view)?;
-    Scene::new(camera, &table, method).map_err(|problem| match problem {
-        SceneError::Step { .. } => CommandError::Scene {
+    Lens::new(camera, &table, deflection).map_err(|problem| match problem {
+        LensError::Step { .. } => CommandError::Lens {
             name: "--step".into(),
             problem,
         },
-        _ => CommandError::Scene { name, problem },
+        _ => CommandError::Lens { name, problem },
     })
 }
 
-/// The stars asked for, if any: the sky `stars` has those of Hipparcos unless others are named.
+/// The stars that the arguments ask for, if any. The sky `stars` has the Hipparcos stars unless others are named.
 fn star_field(args: &StarArgs, sky: &SkySource) -> Result<Option<StarField>, CommandError> {
     let built_in = (*sky == SkySource::Stars).then_some(StarSource::Hipparcos);
     let source = args.stars.clone().or(built_in);
     source.map(|source| stars_of(args, &source)).transpose()
 }
 
-/// The stars of a source, as bright and as large as the arguments say.
+/// The stars of `source`, with the exposure and angular radius that the arguments give.
 fn stars_of(args: &StarArgs, source: &StarSource) -> Result<StarField, CommandError> {
     let mut field = StarField::new(&stars::load(source)?, args.star_exposure);
     if let Some(radius) = args.star_radius {
@@ -165,7 +166,7 @@ fn stars_of(args: &StarArgs, source: &StarSource) -> Result<StarField, CommandEr
     Ok(field)
 }
 
-/// The table that the arguments name, and what it is called.
+/// The table that the arguments name, or the built-in atlas, with its name for messages.
 fn table(args: &ViewArgs) -> Result<(Cow<'static, Table>, String), CommandError> {
     Ok(match &args.table {
         Some(path) => (
@@ -180,10 +181,10 @@ fn table(args: &ViewArgs) -> Result<(Cow<'static, Table>, String), CommandError>
 fn gpu(device: DeviceName) -> Result<Option<Gpu>, GpuError> {
     match device {
         DeviceName::Cpu => Ok(None),
-        DeviceName::Gpu => Gpu::open().map(Some),
-        DeviceName::Auto => match Gpu::open() {
+        DeviceName::Gpu => block_on(Gpu::open()).map(Some),
+        DeviceName::Auto => match block_on(Gpu::open()) {
             Ok(gpu) => Ok(Some(gpu)),
-            // What a person has set and misspelt is not passed over.
+            // The user has set an invalid backend, so it is an error.
             Err(error @ GpuError::Backend { .. }) => Err(error),
             Err(error) => {
                 message!("viewer: drawing on the CPU: {error}");
@@ -193,11 +194,11 @@ fn gpu(device: DeviceName) -> Result<Option<Gpu>, GpuError> {
     }
 }
 
-/// Rounding of 32-bit floats that may be seen, pixels.
+/// Rounding error of 32-bit floats above which it may be visible, pixels.
 const VISIBLE_ROUNDING_PX: f64 = 0.5;
 
-/// The GPU to draw the picture of `camera` on, or `None` for the CPU. Where the pixels are so narrow that
-/// the GPU's 32-bit floats cannot tell them apart, `auto` is the CPU, and `gpu` says how far off it may be.
+/// The GPU to draw the picture of `camera` on, or `None` for the CPU. If the pixels are so narrow that the GPU's
+/// 32-bit floats cannot resolve them, `auto` chooses the CPU, and `gpu` prints a warning with the possible error.
 fn gpu_for(device: DeviceName, camera: &Camera) -> Result<Option<Gpu>, GpuError> {
     let off = Precision::F32.rounding_px(camera);
     if off > VISIBLE_ROUNDING_PX {

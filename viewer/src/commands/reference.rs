@@ -1,12 +1,14 @@
-//! `viewer reference`: the filtered picture against many rays a pixel by direct integration.
+//! `viewer reference`: compares the filtered picture with many rays per pixel by direct integration.
 
 use super::CommandError;
 use crate::cli::ReferenceArgs;
-use lensbake_report::{Outcome, Printer, Progress, message};
-use lensbake_tables::output::OutputFolder;
-use viewer::gpu::{Gpu, Renderer};
-use viewer::reference::{cases, cost, csv, figure, study};
-use viewer::sky::{self, SkySource};
+use lensbake_program::output::OutputFolder;
+use lensbake_program::{Outcome, Printer, Progress, message};
+use lensbake_render::gpu::{Gpu, Renderer};
+use lensbake_render::sky::{self, SkySource};
+use lensbake_studies::reference::{cases, cost, csv, figure, study};
+use pollster::block_on;
+use std::sync::Arc;
 
 const SKIES: [(&str, SkySource); 3] = [
     ("nebula", SkySource::Nebula),
@@ -16,7 +18,7 @@ const SKIES: [(&str, SkySource); 3] = [
 
 pub fn run(args: &ReferenceArgs) -> Result<Outcome, CommandError> {
     let (width, height) = args.size;
-    let gpu = Gpu::open()?;
+    let gpu = block_on(Gpu::open())?;
     if args.cost {
         return print_costs(&gpu);
     }
@@ -25,16 +27,16 @@ pub fn run(args: &ReferenceArgs) -> Result<Outcome, CommandError> {
     let mut printer = Printer::new(false);
     printer.print(csv::HEAD);
     let mut table = csv::HEAD.to_owned();
+    let renderer = Renderer::new(&gpu);
     let mut outcome = Outcome::Done;
     for (name, source) in SKIES {
         let picture = folder.file(&format!("{name}.png"))?;
-        let renderer = Renderer::new(&gpu, &sky::load(&source)?)?;
+        let sky = Arc::new(sky::load(&source)?);
         let mut studies = Vec::new();
         for case in cases(width, height) {
             let progress = Progress::new(name, height.into());
-            let found = study(&renderer, case, args.rays, |rows| {
-                progress.reach(rows.into())
-            })?;
+            let reach = |rows: u32| progress.reach(rows.into());
+            let found = block_on(study(&renderer, &sky, case, args.rays, reach))?;
             progress.finish();
             let lines = csv::lines(name, &found);
             printer.print(&lines);
@@ -60,12 +62,13 @@ pub fn run(args: &ReferenceArgs) -> Result<Outcome, CommandError> {
     Ok(outcome)
 }
 
-/// The cost at the radius of the default view, and at those of the seed report.
+/// Prints the cost of filtering at the radius of the default view, and at those of bholetrace's report.
 fn print_costs(gpu: &Gpu) -> Result<Outcome, CommandError> {
-    let renderer = Renderer::new(gpu, &sky::load(&SkySource::Nebula)?)?;
+    let renderer = Renderer::new(gpu);
+    let sky = Arc::new(sky::load(&SkySource::Nebula)?);
     let mut printer = Printer::new(false);
     for radius in [25.0, 50.0, 10.0, 5.0, 2.0] {
-        let cost = cost(&renderer, radius, (1920, 1080))?;
+        let cost = block_on(cost(&renderer, &sky, radius, (1920, 1080)))?;
         printer.print(&format!("{cost}\n"));
     }
     printer.finish()?;

@@ -1,25 +1,26 @@
-//! `viewer`: the window, or the picture that it would show where there can be none.
+//! `viewer` without a command: opens the window, or draws the picture that it would show if no window can be
+//! opened.
 
 use super::{CommandError, render, stars_of, table};
 use crate::cli::{
     DeviceName, MethodName, PICTURE, RenderArgs, SamplingName, SceneArgs, WindowArgs,
 };
-use lensbake_report::{Outcome, message};
-use viewer::camera::Camera;
-use viewer::scene::Method;
-use viewer::stars::StarSource;
+use lensbake_program::{Outcome, message};
+use lensbake_render::camera::Camera;
+use lensbake_render::lens::Deflection;
+use lensbake_render::stars::StarSource;
 use viewer::window::{self, Options};
 
 pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
     let view = args.view.view(args.size);
-    // Named by its flag here; the window knows no flags.
+    // Checked here so that the error names the flag; the window knows no flags.
     Camera::new(&view)?;
     let step = args.view.step;
-    Method::check_step(step).map_err(|problem| CommandError::Scene {
+    Deflection::check_step(step).map_err(|problem| CommandError::Lens {
         name: "--step".into(),
         problem,
     })?;
-    // Those of Hipparcos unless others are named: the sky `stars` is one of the window's.
+    // The Hipparcos stars unless others are named: the window always offers the sky `stars`.
     let source = args.stars.stars.clone();
     let stars = stars_of(&args.stars, &source.unwrap_or(StarSource::Hipparcos))?;
     let (table, table_name) = table(&args.view)?;
@@ -44,7 +45,7 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
     }
 }
 
-/// The picture of what the window would show first.
+/// Options of `render` for the picture that the window would show first.
 fn instead(args: &WindowArgs) -> RenderArgs {
     RenderArgs {
         output: PICTURE.into(),

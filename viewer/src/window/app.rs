@@ -1,85 +1,56 @@
-//! The window system's loop.
+//! The event loop of the window.
 
-use super::WindowError;
-use super::running::Running;
+use super::error::WindowError;
+use super::event::AppEvent;
+use super::open_window::{OpenWindow, Start};
 use super::settings::Settings;
 use super::state::{NamedTable, Refusal, State};
-use crate::camera::{Camera, View};
-use crate::gpu::Gpu;
-use crate::sky::{Sky, SkyError, SkySource};
-use crate::stars::StarField;
+use lensbake_render::camera::{Camera, View};
+use lensbake_render::gpu::Gpu;
+use lensbake_render::sky::{self, SkySource};
+use lensbake_render::stars::StarField;
 use lensbake_tables::Table;
-use std::path::PathBuf;
 use winit::application::ApplicationHandler;
 use winit::event::{StartCause, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
 use winit::window::WindowId;
 
-/// What the window starts with.
+/// Initial state of the window.
 #[derive(Debug)]
 pub struct Options {
-    /// The view; its size is the window's, in points.
+    /// The view; its size is that of the window in logical pixels.
     pub view: View,
     /// Step of the direct integrator, rad.
     pub step: f64,
-    /// Where the sky comes from.
+    /// Source of the sky.
     pub sky: SkySource,
     /// The stars.
     pub stars: StarField,
-    /// Whether they stand before every sky, and not before the sky `stars` alone.
+    /// Whether the stars are drawn in front of every sky, not only of the sky `stars`.
     pub stars_everywhere: bool,
-    /// The table.
+    /// The bending table.
     pub table: Table,
-    /// What it is called.
+    /// Name of the table.
     pub table_name: String,
     /// Whether the window fills the screen.
     pub fullscreen: bool,
 }
 
-/// What the window starts with, after it was checked and the sky was read.
-pub(super) struct Start {
-    /// Settings and table.
-    pub state: State,
-    /// The window's size, in points.
-    pub size: [u32; 2],
-    /// Whether the window fills the screen.
-    pub fullscreen: bool,
-    /// The sky.
-    pub sky: Sky,
-    /// Where it comes from.
-    pub source: SkySource,
-    /// The stars.
-    pub stars: StarField,
-    /// Whether they stand before every sky.
-    pub stars_everywhere: bool,
-}
-
-/// What a thread brings.
-#[derive(Debug)]
-pub enum Arrival {
-    /// A sky.
-    Sky(SkySource, Result<Box<Sky>, SkyError>),
-    /// A table that was dropped.
-    Table(PathBuf, Box<Table>),
-    /// A dropped file that is of no use, and why.
-    Refused(String),
-}
-
 /// Opens the window and returns when it is closed.
 ///
 /// # Errors
-/// [`WindowError`] in one line.
+/// [`WindowError`] if the window cannot be opened, its contents cannot be drawn, or the GPU fails.
 pub fn run(options: Options) -> Result<(), WindowError> {
     Gpu::check_backend()?;
     Camera::new(&options.view).map_err(Refusal::View)?;
     let settings = Settings::new(options.view, options.step);
     let table = NamedTable::new(options.table, options.table_name);
     let state = State::new(settings, table)?;
-    // Before the sky, which takes a while: without a screen it is not needed here.
+    // Created before the sky is loaded, which takes a while and is not needed without a screen.
     let events = EventLoop::with_user_event()
         .build()
         .map_err(|e| WindowError::no_screen(&e))?;
-    let sky = crate::sky::load(&options.sky)?;
+    let sky = sky::load(&options.sky)?;
     let mut app = App {
         proxy: events.create_proxy(),
         start: Some(Start {
@@ -91,7 +62,7 @@ pub fn run(options: Options) -> Result<(), WindowError> {
             stars: options.stars,
             stars_everywhere: options.stars_everywhere,
         }),
-        running: None,
+        open: None,
         error: None,
     };
     events
@@ -101,46 +72,46 @@ pub fn run(options: Options) -> Result<(), WindowError> {
 }
 
 struct App {
-    proxy: EventLoopProxy<Arrival>,
+    proxy: EventLoopProxy<AppEvent>,
     start: Option<Start>,
-    running: Option<Running>,
+    open: Option<OpenWindow>,
     error: Option<WindowError>,
 }
 
-impl ApplicationHandler<Arrival> for App {
+impl ApplicationHandler<AppEvent> for App {
     fn resumed(&mut self, events: &ActiveEventLoop) {
         let Some(start) = self.start.take() else {
             return;
         };
-        match Running::new(events, start, self.proxy.clone()) {
-            Ok(running) => self.running = Some(running),
+        match OpenWindow::new(events, start, self.proxy.clone()) {
+            Ok(open) => self.open = Some(open),
             Err(error) => self.end(events, error),
         }
     }
 
     fn window_event(&mut self, events: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
-        let Some(running) = &mut self.running else {
+        let Some(open) = &mut self.open else {
             return;
         };
-        if let Err(error) = running.event(events, event) {
+        if let Err(error) = open.event(events, event) {
             self.end(events, error);
         }
     }
 
-    fn user_event(&mut self, _: &ActiveEventLoop, arrival: Arrival) {
-        if let Some(running) = &mut self.running {
-            running.arrival(arrival);
+    fn user_event(&mut self, _: &ActiveEventLoop, app_event: AppEvent) {
+        if let Some(open) = &mut self.open {
+            open.app_event(app_event);
         }
     }
 
     fn new_events(&mut self, _: &ActiveEventLoop, cause: StartCause) {
-        if let (Some(running), StartCause::ResumeTimeReached { .. }) = (&self.running, cause) {
-            running.redraw();
+        if let (Some(open), StartCause::ResumeTimeReached { .. }) = (&self.open, cause) {
+            open.redraw();
         }
     }
 
     fn about_to_wait(&mut self, events: &ActiveEventLoop) {
-        let next = self.running.as_ref().and_then(Running::next_frame);
+        let next = self.open.as_ref().and_then(OpenWindow::next_frame);
         events.set_control_flow(next.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
     }
 }

@@ -1,76 +1,76 @@
-//! What the panel and the help hold, laid out by egui.
+//! Contents of the panel and the help, laid out by egui.
 
 use super::keys::{BINDINGS, MOUSE};
 use super::motion::{FIELDS_OF_VIEW, ORBIT_SPEEDS, RADII};
 use super::resolution::Resolution;
 use super::settings::{Comparison, Settings};
 use super::title;
-use crate::scene::Sampling;
 use egui::{
     Align2, ComboBox, Context, Grid, Id, Label, RichText, ScrollArea, Slider, SliderClamping, Ui,
     Vec2, Window, vec2,
 };
+use lensbake_render::scene::Sampling;
 use std::time::Duration;
 
-/// What egui knows the panel by.
+/// egui id of the panel.
 const PANEL: &str = "panel";
-/// What egui knows the help by.
+/// egui id of the help.
 const HELP: &str = "help";
-/// Points that title, frame and the distance from the window's edges take beside what they hold.
+/// Width and height that title bar, frame and margins add to the contents of an egui window, points.
 const BESIDE: Vec2 = vec2(44.0, 84.0);
-/// Points across what the panel holds.
+/// Width of the panel's contents, points.
 const PANEL_WIDTH: f32 = 326.0;
-/// Points across a name at the most: a longer one goes on in the next line.
+/// Largest width of a column of the costs, points: a longer name is wrapped.
 const NAME: f32 = 200.0;
 
 /// What the panel shows besides the settings.
 #[derive(Debug, Clone)]
-pub struct Facts {
-    /// Names of the skies, and which is shown.
+pub struct PanelInfo {
+    /// Names of the skies, and the index of the one shown.
     pub skies: (Vec<String>, usize),
     /// The mean time between frames while something moves.
     pub interval: Option<Duration>,
-    /// The GPU's time of the picture.
+    /// Mean GPU time of the picture.
     pub picture_time: Option<Duration>,
-    /// The GPU's time of the whole frame, window and panel included.
+    /// Mean GPU time of the whole frame, window and panel included.
     pub frame_time: Option<Duration>,
-    /// Pixels drawn, `[width, height]`.
+    /// Size of the picture, `[width, height]` in pixels.
     pub picture: [u32; 2],
-    /// The table in use.
+    /// Name of the table in use.
     pub table: String,
-    /// Its largest error, rad, if it was measured.
+    /// Largest error of the table, rad, if it was measured.
     pub table_error: Option<f64>,
-    /// By how much the GPU's 32-bit floats may be off, pixels.
+    /// Upper bound on the rounding error of the GPU's 32-bit floats, pixels.
     pub rounding_px: f64,
-    /// Why the radius cannot be changed, if it cannot.
+    /// Why the radius is fixed, if it is.
     pub held_radius: Option<String>,
-    /// The adapter.
+    /// Name of the GPU adapter.
     pub adapter: String,
 }
 
-/// What the panel wants that settings do not say.
+/// What the user asks for in the panel, besides changes of the settings.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Wish {
-    /// Another sky.
+pub struct PanelAction {
+    /// Index of the sky to show.
     pub sky: Option<usize>,
-    /// Everything as at the start.
+    /// Whether to reset to the start.
     pub reset: bool,
 }
 
-/// Panel and help, as far as they are there.
-pub fn controls(context: &Context, settings: &mut Settings, facts: &Facts) -> Wish {
-    let mut wish = Wish::default();
+/// Lays out the panel and the help, each if it is shown.
+pub fn controls(context: &Context, settings: &mut Settings, facts: &PanelInfo) -> PanelAction {
+    let mut action = PanelAction::default();
     if settings.panel {
-        wish = panel(context, settings, facts);
+        action = panel(context, settings, facts);
     }
     if settings.help {
         help(context, &mut settings.help);
     }
-    wish
+    action
 }
 
-fn panel(context: &Context, settings: &mut Settings, facts: &Facts) -> Wish {
-    let mut wish = Wish::default();
+fn panel(context: &Context, settings: &mut Settings, facts: &PanelInfo) -> PanelAction {
+    let mut action = PanelAction::default();
     Window::new("lensbake")
         .id(Id::unique(PANEL))
         .anchor(Align2::LEFT_TOP, [12.0, 12.0])
@@ -78,23 +78,23 @@ fn panel(context: &Context, settings: &mut Settings, facts: &Facts) -> Wish {
         .show(context, |ui| {
             in_window(ui, PANEL_WIDTH, |ui| {
                 Grid::new("settings").num_columns(2).show(ui, |ui| {
-                    wish.sky = choices(ui, settings, facts);
+                    action.sky = choices(ui, settings, facts);
                 });
                 ui.separator();
                 costs(ui, facts);
                 ui.separator();
                 ui.horizontal(|ui| {
-                    wish.reset = ui.button("Reset").clicked();
+                    action.reset = ui.button("Reset").clicked();
                     ui.toggle_value(&mut settings.help, "Keys (H)");
                     ui.weak("Tab hides this");
                 });
             });
         });
-    wish
+    action
 }
 
-/// Adds what is as large as it is, but as wide as `width` points at the most, and can be scrolled where the
-/// window has no room for it.
+/// Adds `contents` at its own size, or with scroll bars if the window is too small for it; with scroll bars it is
+/// up to `width` points wide.
 fn in_window(ui: &mut Ui, width: f32, contents: impl FnOnce(&mut Ui)) {
     let room = (ui.ctx().content_rect().size() - BESIDE).max(vec2(1.0, 1.0));
     ScrollArea::both()
@@ -105,8 +105,8 @@ fn in_window(ui: &mut Ui, width: f32, contents: impl FnOnce(&mut Ui)) {
         .show(ui, contents);
 }
 
-/// The settings; returns another sky if one was chosen.
-fn choices(ui: &mut Ui, settings: &mut Settings, facts: &Facts) -> Option<usize> {
+/// Adds the widgets of the settings; returns the index of another sky if one was chosen.
+fn choices(ui: &mut Ui, settings: &mut Settings, facts: &PanelInfo) -> Option<usize> {
     let view = &mut settings.view;
     ui.label("radius");
     let radius = Slider::new(&mut view.radius, RADII)
@@ -203,16 +203,16 @@ fn choices(ui: &mut Ui, settings: &mut Settings, facts: &Facts) -> Option<usize>
     (chosen != *shown).then_some(chosen)
 }
 
-/// A slider beside which any number can be typed: one from beyond its ends is left as it is. It counts when
-/// it is complete, for what it begins with may be of no use.
+/// A slider that also accepts typed numbers beyond its ends. A typed number takes effect when it is complete,
+/// because its first digits alone may be invalid.
 fn typed(slider: Slider) -> Slider {
     slider
         .clamping(SliderClamping::Never)
         .update_while_editing(false)
 }
 
-/// What the picture costs, and how wrong it is.
-fn costs(ui: &mut Ui, facts: &Facts) {
+/// Adds the costs and error bounds of the picture.
+fn costs(ui: &mut Ui, facts: &PanelInfo) {
     let [width, height] = facts.picture;
     let rays = f64::from(width) * f64::from(height);
     let shown = |time: Option<Duration>, text: fn(f64) -> String, parts: f64| {
@@ -279,24 +279,24 @@ fn help(context: &Context, open: &mut bool) {
 mod tests {
     use super::super::message;
     use super::*;
-    use crate::camera::View;
     use egui::{Pos2, RawInput, Rect, Shape};
+    use lensbake_render::camera::View;
 
-    /// What a window of this size in points shows.
+    /// The layout of a window, in points.
     struct LaidOut {
         screen: Rect,
-        /// Panel, help and message.
+        /// Rectangles of panel, help and message.
         areas: [Rect; 3],
-        /// The largest part of a line of text that is cut off at its right or left, points.
+        /// Largest part of a line of text that is clipped at its right or left, points.
         cut: f32,
     }
 
-    /// Panel, help and a message with names of `length` letters.
+    /// Lays out panel, help and a message in a window of this size, with names of `length` letters.
     fn laid_out([width, height]: [f32; 2], length: usize) -> LaidOut {
         let screen = Rect::from_min_size(Pos2::ZERO, vec2(width, height));
         let name = "sky-of-a-long-name".chars().cycle().take(length);
         let name: String = name.collect();
-        let facts = Facts {
+        let facts = PanelInfo {
             skies: (vec![format!("{name}.png")], 0),
             interval: None,
             picture_time: None,
@@ -312,7 +312,7 @@ mod tests {
         settings.help = true;
         let context = Context::default();
         let mut cut = 0.0;
-        // A few frames, for egui finds sizes out as it goes.
+        // egui needs a few frames to settle on sizes.
         for _ in 0..4 {
             let input = RawInput {
                 screen_rect: Some(screen),

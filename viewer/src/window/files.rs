@@ -1,22 +1,22 @@
-//! Files that are dropped on the window: a table or a sky, told apart by content.
+//! Files dropped on the window: a table or a sky, distinguished by content.
 
-use super::app::Arrival;
-use crate::sky::{self, SkySource};
+use super::event::AppEvent;
+use lensbake_render::sky::{self, SkySource};
 use lensbake_tables::{Problem, container};
 use std::path::PathBuf;
 use winit::event_loop::EventLoopProxy;
 
-/// Reads a dropped file on a thread of its own and sends what it is.
-pub fn read(path: PathBuf, proxy: EventLoopProxy<Arrival>) {
+/// Reads a dropped file on its own thread and sends the result to the event loop.
+pub fn read(path: PathBuf, proxy: EventLoopProxy<AppEvent>) {
     std::thread::spawn(move || {
         // The window may have closed meanwhile.
         let _ = proxy.send_event(open(path));
     });
 }
 
-fn open(path: PathBuf) -> Arrival {
+fn open(path: PathBuf) -> AppEvent {
     let error = match container::read(&path) {
-        Ok(table) => return Arrival::Table(path, Box::new(table)),
+        Ok(table) => return AppEvent::Table(path, Box::new(table)),
         Err(error) => error,
     };
     match error.problem {
@@ -27,9 +27,9 @@ fn open(path: PathBuf) -> Arrival {
         | Problem::Exr(_) => {
             let source = SkySource::Panorama(path);
             let sky = sky::load(&source).map(Box::new);
-            Arrival::Sky(source, sky)
+            AppEvent::Sky(source, sky)
         }
         // A table, but a damaged one.
-        _ => Arrival::Refused(error.to_string()),
+        _ => AppEvent::Refused(error.to_string()),
     }
 }

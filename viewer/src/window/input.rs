@@ -1,9 +1,9 @@
-//! From the window system's events to changes of the settings.
+//! Input handling: translates keyboard and mouse events into changes of the settings.
 
-use super::keys::{Command, Deed, HeldKeys, deed};
+use super::keys::{Command, HeldKeys, KeyAction, key_action};
 use super::motion;
 use super::settings::Settings;
-use crate::camera::View;
+use lensbake_render::camera::View;
 use std::time::Instant;
 use winit::dpi::PhysicalPosition;
 use winit::event::{ElementState, KeyEvent, MouseButton, MouseScrollDelta, WindowEvent};
@@ -13,18 +13,18 @@ use winit::keyboard::{ModifiersState, PhysicalKey};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Drag {
     Look,
-    GoRound,
+    Orbit,
     Divider,
 }
 
-/// How near to the divider the pointer must be to drag it, pixels.
+/// Distance from the divider within which the pointer can drag it, pixels.
 const GRAB: f64 = 10.0;
-/// Pixels that a touchpad scrolls for a notch of a wheel.
+/// Pixels of touchpad scrolling that count as one notch of a mouse wheel.
 const PIXELS_A_NOTCH: f64 = 50.0;
-/// Degrees that a drag across the window goes round the hole.
-const GO_ROUND_DEG: f64 = 180.0;
+/// Orbit angle for a drag across the whole window, degrees.
+const ORBIT_DRAG_DEG: f64 = 180.0;
 
-/// Keys and mouse as they are now.
+/// Current state of keys and mouse.
 #[derive(Debug, Default)]
 pub struct Input {
     held: HeldKeys,
@@ -33,19 +33,19 @@ pub struct Input {
     drag: Option<Drag>,
 }
 
-/// What an event comes to.
+/// What the window must do after an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reaction {
-    /// Nothing to be seen.
+    /// Nothing: the picture stays the same.
     None,
     /// The settings have changed, or a key is held that changes them.
     Changed,
-    /// A key asks for something.
+    /// Run the command of a key.
     Command(Command),
 }
 
 impl Input {
-    /// Takes an event, in a window of `width` pixels across.
+    /// Handles an event of a window that is `width` pixels wide.
     pub fn take(&mut self, event: &WindowEvent, settings: &mut Settings, width: u32) -> Reaction {
         let width = f64::from(width.max(1));
         match event {
@@ -58,7 +58,8 @@ impl Input {
                 self.modifiers = modifiers.state();
                 Reaction::None
             }
-            // A key that was held when the window was entered was pressed for another.
+            // Synthetic events report keys that were already held when the window got the focus: they were pressed
+            // for another window.
             WindowEvent::KeyboardInput {
                 event,
                 is_synthetic: false,
@@ -80,7 +81,7 @@ impl Input {
     /// Moves the view by the keys that were held since the last call; true if one still is.
     pub fn steer(&mut self, view: &mut View, now: Instant) -> bool {
         self.held
-            .drain(now, |drive, seconds| drive.steer(view, seconds));
+            .drain(now, |movement, seconds| movement.steer(view, seconds));
         self.held.any()
     }
 
@@ -89,23 +90,23 @@ impl Input {
             return Reaction::None;
         };
         let now = Instant::now();
-        match (deed(code), key.state) {
-            (Some(Deed::Held(drive)), ElementState::Pressed) => {
-                self.held.press(code, drive, now);
+        match (key_action(code), key.state) {
+            (Some(KeyAction::Held(movement)), ElementState::Pressed) => {
+                self.held.press(code, movement, now);
                 Reaction::Changed
             }
-            (Some(Deed::Held(_)), ElementState::Released) => {
+            (Some(KeyAction::Held(_)), ElementState::Released) => {
                 self.held.release(code, now);
                 Reaction::Changed
             }
             _ if key.repeat => Reaction::None,
-            // What was held before another key was pressed counts before it.
-            (Some(Deed::Changes(change)), ElementState::Pressed) => {
+            // Movement up to now comes before the change or command.
+            (Some(KeyAction::Changes(change)), ElementState::Pressed) => {
                 self.steer(&mut settings.view, now);
                 settings.change(change);
                 Reaction::Changed
             }
-            (Some(Deed::Pressed(command)), ElementState::Pressed) => {
+            (Some(KeyAction::Pressed(command)), ElementState::Pressed) => {
                 self.steer(&mut settings.view, now);
                 Reaction::Command(command)
             }
@@ -119,7 +120,7 @@ impl Input {
             (ElementState::Released, _) => None,
             (_, MouseButton::Left) if now.is_split() && at_divider => Some(Drag::Divider),
             (_, MouseButton::Left) => Some(Drag::Look),
-            (_, MouseButton::Right) => Some(Drag::GoRound),
+            (_, MouseButton::Right) => Some(Drag::Orbit),
             _ => self.drag,
         };
     }
@@ -133,15 +134,15 @@ impl Input {
         let (right, down) = (to.x - self.pointer.x, to.y - self.pointer.y);
         self.pointer = to;
         let view = &mut settings.view;
-        // The sky goes with the pointer.
+        // The sky follows the pointer.
         match self.drag {
             None => return Reaction::None,
             Some(Drag::Look) => {
                 let degrees = view.fov_deg / width;
                 motion::look(view, -right * degrees, down * degrees);
             }
-            Some(Drag::GoRound) => {
-                let degrees = GO_ROUND_DEG / width;
+            Some(Drag::Orbit) => {
+                let degrees = ORBIT_DRAG_DEG / width;
                 motion::orbit(view, -right * degrees, down * degrees);
             }
             Some(Drag::Divider) => settings.divider = (to.x / width).clamp(0.0, 1.0),

@@ -1,14 +1,14 @@
-//! The keys: one table, which the window obeys and the help overlay and the README show.
+//! Key bindings: one table for the event handling, the help and the README.
 //!
-//! Keys are told apart by their place, named as on a US keyboard, so that WASD lies where it should on
-//! every other.
+//! Key bindings use physical key positions, named as on a US keyboard, so that WASD is in the same place on every
+//! keyboard layout.
 
 use std::time::{Duration, Instant};
 use winit::keyboard::KeyCode;
 
-/// What a key does as long as it is held.
+/// Movement of the camera while a key is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Drive {
+pub enum Movement {
     /// Look up.
     LookUp,
     /// Look down.
@@ -17,24 +17,24 @@ pub enum Drive {
     LookLeft,
     /// Look right.
     LookRight,
-    /// Approach the hole.
+    /// Move towards the hole.
     Nearer,
-    /// Go away from the hole.
+    /// Move away from the hole.
     Farther,
-    /// Go round the hole to the left.
+    /// Orbit the hole to the left.
     OrbitLeft,
-    /// Go round the hole to the right.
+    /// Orbit the hole to the right.
     OrbitRight,
 }
 
-/// What a key changes in the settings when it is pressed.
+/// Change of the settings when a key is pressed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Change {
     /// The next orbit speed.
     NextOrbitSpeed,
     /// Deflection on or off.
     ToggleDeflection,
-    /// Filtered or one ray a pixel.
+    /// Filtered pixels or one ray per pixel.
     ToggleFilter,
     /// The next comparison of table and direct integration.
     NextComparison,
@@ -44,44 +44,44 @@ pub enum Change {
     ZoomIn,
     /// A larger field of view.
     ZoomOut,
-    /// A stronger difference.
+    /// Stronger amplification of the difference.
     MoreGain,
-    /// A weaker difference.
+    /// Weaker amplification of the difference.
     LessGain,
-    /// The panel or not.
+    /// Panel on or off.
     TogglePanel,
-    /// The help or not.
+    /// Help on or off.
     ToggleHelp,
 }
 
-/// What a key asks of the window when it is pressed.
+/// Command to the window when a key is pressed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Command {
     /// The next built-in sky.
     NextSky,
-    /// Everything as at the start.
+    /// Reset to the start.
     Reset,
-    /// Full screen or not.
+    /// Full screen on or off.
     ToggleFullscreen,
-    /// A picture to a file.
+    /// Write a screenshot to a file.
     Screenshot,
-    /// Out of the help, of full screen, or of the program.
+    /// Leave the help, else full screen, else the program.
     Leave,
 }
 
-/// What a key is for.
+/// Action of a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Deed {
-    /// While held.
-    Held(Drive),
-    /// When pressed, in the settings.
+pub enum KeyAction {
+    /// Movement while the key is held.
+    Held(Movement),
+    /// Change of the settings when the key is pressed.
     Changes(Change),
-    /// When pressed, with the window.
+    /// Command to the window when the key is pressed.
     Pressed(Command),
 }
 
 impl Change {
-    /// All of them.
+    /// All changes.
     pub const ALL: [Change; 11] = [
         Change::NextOrbitSpeed,
         Change::ToggleDeflection,
@@ -97,61 +97,61 @@ impl Change {
     ];
 }
 
-/// Keys that do something, or a pair of them.
+/// A key binding: one or more keys and their description.
 #[derive(Debug, Clone, Copy)]
 pub struct Binding {
-    /// The keys and their deeds.
-    pub keys: &'static [(KeyCode, Deed)],
-    /// What is printed on them.
+    /// The keys and their actions.
+    pub keys: &'static [(KeyCode, KeyAction)],
+    /// Names of the keys, for the help.
     pub names: &'static str,
-    /// What they do.
+    /// What the keys do, for the help.
     pub does: &'static str,
 }
 
-const fn held(key: KeyCode, drive: Drive) -> (KeyCode, Deed) {
-    (key, Deed::Held(drive))
+const fn held(key: KeyCode, movement: Movement) -> (KeyCode, KeyAction) {
+    (key, KeyAction::Held(movement))
 }
 
-const fn changes(key: KeyCode, change: Change) -> (KeyCode, Deed) {
-    (key, Deed::Changes(change))
+const fn changes(key: KeyCode, change: Change) -> (KeyCode, KeyAction) {
+    (key, KeyAction::Changes(change))
 }
 
-const fn pressed(key: KeyCode, command: Command) -> (KeyCode, Deed) {
-    (key, Deed::Pressed(command))
+const fn pressed(key: KeyCode, command: Command) -> (KeyCode, KeyAction) {
+    (key, KeyAction::Pressed(command))
 }
 
 const fn binding(
-    keys: &'static [(KeyCode, Deed)],
+    keys: &'static [(KeyCode, KeyAction)],
     names: &'static str,
     does: &'static str,
 ) -> Binding {
     Binding { keys, names, does }
 }
 
-/// All keys.
+/// All key bindings.
 pub const BINDINGS: &[Binding] = &[
     binding(
         &[
-            held(KeyCode::KeyW, Drive::LookUp),
-            held(KeyCode::KeyA, Drive::LookLeft),
-            held(KeyCode::KeyS, Drive::LookDown),
-            held(KeyCode::KeyD, Drive::LookRight),
+            held(KeyCode::KeyW, Movement::LookUp),
+            held(KeyCode::KeyA, Movement::LookLeft),
+            held(KeyCode::KeyS, Movement::LookDown),
+            held(KeyCode::KeyD, Movement::LookRight),
         ],
         "W A S D",
         "look away from the hole",
     ),
     binding(
         &[
-            held(KeyCode::ArrowUp, Drive::Nearer),
-            held(KeyCode::ArrowDown, Drive::Farther),
+            held(KeyCode::ArrowUp, Movement::Nearer),
+            held(KeyCode::ArrowDown, Movement::Farther),
         ],
         "Up, Down",
         "nearer, farther; slower when near",
     ),
     binding(
         &[
-            held(KeyCode::ArrowLeft, Drive::OrbitLeft),
-            held(KeyCode::ArrowRight, Drive::OrbitRight),
+            held(KeyCode::ArrowLeft, Movement::OrbitLeft),
+            held(KeyCode::ArrowRight, Movement::OrbitRight),
         ],
         "Left, Right",
         "go round the hole",
@@ -248,7 +248,7 @@ pub const BINDINGS: &[Binding] = &[
     ),
 ];
 
-/// What the mouse does.
+/// Mouse bindings: input and effect.
 pub const MOUSE: &[(&str, &str)] = &[
     ("drag", "look; drags the divider in the split view"),
     ("right drag", "go round the hole"),
@@ -257,14 +257,14 @@ pub const MOUSE: &[(&str, &str)] = &[
     ("drop a file", "a panorama or a bending table"),
 ];
 
-/// What a key is for.
-pub fn deed(key: KeyCode) -> Option<Deed> {
+/// The action bound to a key, if any.
+pub fn key_action(key: KeyCode) -> Option<KeyAction> {
     let mut all = BINDINGS.iter().flat_map(|binding| binding.keys);
-    all.find(|(k, _)| *k == key).map(|(_, deed)| *deed)
+    all.find(|(k, _)| *k == key).map(|(_, action)| *action)
 }
 
-/// Which keys are held, and how long since it was asked last: a tap between two frames counts for as
-/// long as it took.
+/// The keys that are held, and how long each was held since the last call of [`HeldKeys::drain`]. A key pressed
+/// and released between two frames counts for the time that it was held.
 #[derive(Debug, Clone, Default)]
 pub struct HeldKeys {
     keys: Vec<Hold>,
@@ -273,26 +273,26 @@ pub struct HeldKeys {
 #[derive(Debug, Clone, Copy)]
 struct Hold {
     key: KeyCode,
-    drive: Drive,
+    movement: Movement,
     since: Option<Instant>,
     before: Duration,
 }
 
 impl HeldKeys {
-    /// A key goes down.
-    pub fn press(&mut self, key: KeyCode, drive: Drive, now: Instant) {
+    /// Records that a key is pressed.
+    pub fn press(&mut self, key: KeyCode, movement: Movement, now: Instant) {
         match self.keys.iter_mut().find(|hold| hold.key == key) {
             Some(hold) => hold.since = hold.since.or(Some(now)),
             None => self.keys.push(Hold {
                 key,
-                drive,
+                movement,
                 since: Some(now),
                 before: Duration::ZERO,
             }),
         }
     }
 
-    /// A key goes up.
+    /// Records that a key is released.
     pub fn release(&mut self, key: KeyCode, now: Instant) {
         for hold in self.keys.iter_mut().filter(|hold| hold.key == key) {
             if let Some(since) = hold.since.take() {
@@ -301,7 +301,7 @@ impl HeldKeys {
         }
     }
 
-    /// All keys go up, as when the window is left.
+    /// Records that all keys are released, as when the window loses the focus.
     pub fn release_all(&mut self, now: Instant) {
         for hold in &mut self.keys {
             if let Some(since) = hold.since.take() {
@@ -310,17 +310,17 @@ impl HeldKeys {
         }
     }
 
-    /// Whether one is held, or was since it was asked last.
+    /// Whether a key is held, or was since the last call of [`HeldKeys::drain`].
     pub fn any(&self) -> bool {
         !self.keys.is_empty()
     }
 
-    /// Calls `f` with every drive and the seconds it was held since the last call.
-    pub fn drain(&mut self, now: Instant, mut f: impl FnMut(Drive, f64)) {
+    /// Calls `f` with every movement and the seconds it was held since the last call.
+    pub fn drain(&mut self, now: Instant, mut f: impl FnMut(Movement, f64)) {
         for hold in &mut self.keys {
             let running = hold.since.map(|since| now - since).unwrap_or_default();
             hold.since = hold.since.map(|_| now);
-            f(hold.drive, (hold.before + running).as_secs_f64());
+            f(hold.movement, (hold.before + running).as_secs_f64());
             hold.before = Duration::ZERO;
         }
         self.keys.retain(|hold| hold.since.is_some());
@@ -341,10 +341,10 @@ mod tests {
             .collect();
         assert_eq!(all.iter().collect::<HashSet<_>>().len(), all.len());
         assert_eq!(
-            deed(KeyCode::KeyL),
-            Some(Deed::Changes(Change::ToggleDeflection))
+            key_action(KeyCode::KeyL),
+            Some(KeyAction::Changes(Change::ToggleDeflection))
         );
-        assert_eq!(deed(KeyCode::KeyQ), None);
+        assert_eq!(key_action(KeyCode::KeyQ), None);
     }
 
     #[test]
@@ -364,23 +364,23 @@ mod tests {
         let mut held = HeldKeys::default();
         let drained = |held: &mut HeldKeys, ms| {
             let mut all = Vec::new();
-            held.drain(at(ms), |drive, s| {
-                all.push((drive, (1000.0 * s).round() as u64));
+            held.drain(at(ms), |movement, s| {
+                all.push((movement, (1000.0 * s).round() as u64));
             });
             all
         };
-        held.press(KeyCode::KeyW, Drive::LookUp, at(0));
-        held.press(KeyCode::KeyW, Drive::LookUp, at(5));
-        assert_eq!(drained(&mut held, 10), [(Drive::LookUp, 10)]);
+        held.press(KeyCode::KeyW, Movement::LookUp, at(0));
+        held.press(KeyCode::KeyW, Movement::LookUp, at(5));
+        assert_eq!(drained(&mut held, 10), [(Movement::LookUp, 10)]);
         held.release(KeyCode::KeyW, at(13));
-        held.press(KeyCode::KeyW, Drive::LookUp, at(14));
+        held.press(KeyCode::KeyW, Movement::LookUp, at(14));
         held.release(KeyCode::KeyW, at(18));
         assert!(held.any());
-        assert_eq!(drained(&mut held, 30), [(Drive::LookUp, 7)]);
+        assert_eq!(drained(&mut held, 30), [(Movement::LookUp, 7)]);
         assert!(!held.any());
-        held.press(KeyCode::KeyA, Drive::LookLeft, at(40));
+        held.press(KeyCode::KeyA, Movement::LookLeft, at(40));
         held.release_all(at(42));
-        assert_eq!(drained(&mut held, 50), [(Drive::LookLeft, 2)]);
+        assert_eq!(drained(&mut held, 50), [(Movement::LookLeft, 2)]);
         assert_eq!(drained(&mut held, 60), []);
     }
 }

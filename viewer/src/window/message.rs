@@ -1,4 +1,4 @@
-//! What the window says for a while, at its lower edge.
+//! Messages that the window shows for a while at its lower edge.
 
 use egui::{
     Align2, Area, Context, FontSelection, Frame, Id, Label, Order, RichText, ScrollArea,
@@ -6,20 +6,20 @@ use egui::{
 };
 use std::time::{Duration, Instant};
 
-/// What egui knows the message by.
+/// egui id of the message.
 pub(super) const ID: &str = "message";
-/// How long a message stays at the least.
-const LEAST_TIME: Duration = Duration::from_secs(8);
-/// How long at the most.
-const MOST_TIME: Duration = Duration::from_secs(20);
-/// How long it takes to read a character.
+/// Shortest time for which a message is shown.
+const MIN_TIME: Duration = Duration::from_secs(8);
+/// Longest time for which a message is shown.
+const MAX_TIME: Duration = Duration::from_secs(20);
+/// Reading time per character.
 const READING_TIME: Duration = Duration::from_millis(60);
-/// Points between a message and the edges of the window.
+/// Distance between a message and the edges of the window, points.
 const MARGIN: f32 = 16.0;
-/// Points across the lines of a message at the most: longer ones are hard to read.
+/// Largest width of a message's lines, points: longer lines are hard to read.
 const LINE: f32 = 720.0;
 
-/// A message, and since when it is there.
+/// A message, and the time from which it is shown.
 #[derive(Debug, Clone)]
 pub struct Message {
     text: String,
@@ -27,7 +27,7 @@ pub struct Message {
 }
 
 impl Message {
-    /// A message from now on.
+    /// A message that is shown from now on.
     pub fn new(text: String) -> Self {
         Message {
             text,
@@ -35,21 +35,20 @@ impl Message {
         }
     }
 
-    /// What it says.
+    /// The text.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// How long it is still to stay; nothing when its time is over.
+    /// Remaining time for which it is shown; `None` if that is over.
     pub fn left(&self) -> Option<Duration> {
         let reading = READING_TIME * self.text.chars().count() as u32;
-        let stays = reading.clamp(LEAST_TIME, MOST_TIME);
+        let stays = reading.clamp(MIN_TIME, MAX_TIME);
         stays.checked_sub(self.since.elapsed())
     }
 }
 
-/// Shows a message above all else: in as many lines as it takes, and where the window is too low for them,
-/// with a scroll bar.
+/// Shows a message above everything else, wrapped into lines, with a scroll bar if the window is too low for them.
 pub fn show(context: &Context, text: &str) {
     let screen = context.content_rect().size() - 2.0 * vec2(MARGIN, MARGIN);
     let frame = Frame::popup(&context.global_style());

@@ -1,11 +1,11 @@
-//! What frames cost, as the panel shows it: means over the last few.
+//! Moving averages of frame times, for the panel.
 
 use std::time::Duration;
 
-/// Frames that a mean is taken over.
+/// Number of frames in an average.
 const FRAMES: usize = 30;
 
-/// A running mean of times.
+/// A moving average of times.
 #[derive(Debug, Clone, Default)]
 pub struct Meter {
     times: [Duration; FRAMES],
@@ -14,20 +14,20 @@ pub struct Meter {
 }
 
 impl Meter {
-    /// Adds one.
+    /// Adds a time.
     pub fn add(&mut self, time: Duration) {
         self.times[self.next] = time;
         self.next = (self.next + 1) % FRAMES;
         self.filled = (self.filled + 1).min(FRAMES);
     }
 
-    /// Forgets all: what is drawn has changed.
+    /// Removes all times.
     pub fn clear(&mut self) {
         self.filled = 0;
         self.next = 0;
     }
 
-    /// The mean, if there is one.
+    /// The average; `None` if there are no times.
     pub fn mean(&self) -> Option<Duration> {
         let sum: Duration = self.times[..self.filled].iter().sum();
         (self.filled > 0).then(|| sum / self.filled as u32)

@@ -1,22 +1,25 @@
-//! The window: the lensed sky, live, from the table.
+//! The window, which draws the lensed sky in real time.
 //!
-//! Keys ([`keys`]), mouse and panel change the [`settings`]; the [`state`] takes over what can be drawn, a
-//! frame makes a [`plan`] of it, and the `stage` draws it. What moves does so by elapsed time ([`motion`]).
-//! Between two frames of the same plan nothing is drawn.
+//! The event loop passes key bindings ([`keys`]), mouse and panel to the [`settings`]. The [`state`] keeps the
+//! changes that can be drawn, a frame makes a [`plan`] of it, and the `stage` draws the plan to the surface.
+//! Movement depends on elapsed time, not on the frame rate ([`motion`]). Nothing is drawn while nothing changes.
 
 mod app;
 mod controls;
+mod error;
+mod event;
 mod files;
 mod input;
 pub mod keys;
 mod message;
 mod meter;
 pub mod motion;
+mod open_window;
 mod pace;
 mod panel;
 pub mod plan;
+mod render_pass;
 mod resolution;
-mod running;
 mod screenshot;
 pub mod settings;
 mod skies;
@@ -28,93 +31,5 @@ mod state_tests;
 mod title;
 
 pub use app::{Options, run};
+pub use error::WindowError;
 pub use resolution::{AutoScale, Resolution};
-
-use crate::gpu::GpuError;
-use crate::sky::SkyError;
-use state::Refusal;
-use thiserror::Error;
-
-/// A window that cannot be opened, or had to close.
-#[derive(Debug, Error)]
-pub enum WindowError {
-    /// There is no screen.
-    #[error("{0}")]
-    NoScreen(String),
-    /// The window system failed.
-    #[error("the window failed: {0}")]
-    WindowSystem(String),
-    /// The GPU.
-    #[error(transparent)]
-    Gpu(#[from] GpuError),
-    /// The sky that was asked for.
-    #[error(transparent)]
-    Sky(#[from] SkyError),
-    /// The view, or its table, cannot be drawn.
-    #[error(transparent)]
-    Refused(#[from] Refusal),
-}
-
-impl WindowError {
-    /// Whether there can be no window on this machine, whatever it should show: a picture can still be drawn
-    /// without one.
-    pub fn is_no_window(&self) -> bool {
-        matches!(
-            self,
-            WindowError::NoScreen(_)
-                | WindowError::Gpu(
-                    GpuError::NoAdapter | GpuError::NoDevice { .. } | GpuError::NoSurface(_)
-                )
-        )
-    }
-
-    /// Of what the window system says.
-    fn no_screen(error: &impl ToString) -> Self {
-        WindowError::NoScreen(plain(&error.to_string()))
-    }
-}
-
-/// What the window system says, without what is for its programmers: the place in its source, and its
-/// values as they are in memory.
-fn plain(text: &str) -> String {
-    let reason = match text.strip_prefix("os error at ") {
-        Some(rest) => {
-            let line = rest.split_once(".rs:").map_or(rest, |(_file, line)| line);
-            line.split_once(": ")
-                .map_or(line, |(_number, reason)| reason)
-        }
-        None => text,
-    };
-    let request = reason.split_once("request_name: Some(\"");
-    if let Some((request, _)) = request.and_then(|(_, rest)| rest.split_once('"')) {
-        return format!("the X server refuses {request}");
-    }
-    let reason = reason.split_once(" {").map_or(reason, |(reason, _)| reason);
-    reason.trim_end_matches('.').to_owned()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_the_window_system_says_can_be_read() {
-        let says = |text: &str| WindowError::no_screen(&text).to_string();
-        let refused = "os error at /a/b: c/window.rs:312: X11 error: X11Error { error_kind: Value, \
-            error_code: 2, sequence: 20, bad_value: 0, minor_opcode: 0, major_opcode: 1, \
-            extension_name: None, request_name: Some(\"CreateWindow\") }";
-        let refused = says(refused);
-        assert_eq!(refused, "the X server refuses CreateWindow");
-        let closed = says("os error at /a/mod.rs:7: Failed to open connection to X server.");
-        assert_eq!(closed, "Failed to open connection to X server");
-        let unknown = says(
-            "os error at /a/mod.rs:7: X11 error: X11Error { error_kind: Unknown(7), request_name: None }",
-        );
-        assert_eq!(unknown, "X11 error: X11Error");
-        let nested = says("os error at /a/mod.rs:7: Xlib error: XOpenDisplay failed: no such host");
-        assert!(
-            nested.contains("Xlib error: XOpenDisplay failed: no such host"),
-            "{nested}"
-        );
-    }
-}

@@ -1,57 +1,58 @@
-//! How the camera moves: all by elapsed time.
+//! Movement of the camera, by elapsed time.
 //!
-//! Keys, wheel and sliders stop at the ends of [`RADII`], [`FIELDS_OF_VIEW`] and [`PITCHES`]. A view from
-//! beyond an end, as a flag or a typed number may set it, stays where it is until it is moved, and then
-//! moves towards the end only.
+//! Keys, wheel and sliders stop at the ends of [`RADII`], [`FIELDS_OF_VIEW`] and [`PITCHES`]. A flag or a typed
+//! number may set a view beyond an end. Such a view stays where it is until it is moved, and then moves only
+//! towards the end.
 
-use super::keys::Drive;
-use crate::camera::View;
+use super::keys::Movement;
+use lensbake_render::camera::View;
 use std::ops::RangeInclusive;
 
-/// Radii that the window goes to: from near the horizon to where the shadow is a pixel or so.
+/// Range of radii for keys, wheel and slider: from near the horizon to where the shadow is about a pixel wide.
 pub const RADII: RangeInclusive<f64> = 1.01..=2000.0;
 /// Orbit speeds to choose from, as multiples of [`ORBIT_DEG_PER_S`].
 pub const ORBIT_SPEEDS: [f64; 4] = [0.0, 1.0, 2.0, 4.0];
-/// Orbit speed 1×, degrees a second: once round in half a minute.
+/// Orbit speed 1×, degrees per second: one orbit in half a minute.
 pub const ORBIT_DEG_PER_S: f64 = 12.0;
-/// Fields of view that the window goes to, degrees.
+/// Range of fields of view for keys, wheel and slider, degrees.
 pub const FIELDS_OF_VIEW: RangeInclusive<f64> = 1.0..=170.0;
-/// Angles up from the hole, and up from the hole's equator, that the window goes to, degrees.
+/// Range of pitch, and of latitude, for keys and mouse, degrees.
 pub const PITCHES: RangeInclusive<f64> = -90.0..=90.0;
 
-/// Turning by keys, in fields of view a second.
+/// Turning speed by keys, fields of view per second.
 const TURN_PER_S: f64 = 0.5;
-/// By keys r − 1 changes by this power of e a second: slower when near, and never through the horizon.
+/// Approach speed by keys: r − 1 changes by a factor of e to this power per second. The camera is slower when
+/// near, and never passes the horizon.
 const APPROACH_PER_S: f64 = 0.8;
-/// Factor of r − 1, or of the field of view, for one notch of the wheel or one press.
+/// Factor of r − 1, or of the field of view, per notch of the wheel or press of a key.
 const NOTCH: f64 = 0.9;
 const GO_ROUND_DEG_PER_S: f64 = 45.0;
 
-impl Drive {
-    /// Moves a view as the key does that is held for `seconds`.
+impl Movement {
+    /// Moves a view as by a key held for `seconds`.
     pub fn steer(self, view: &mut View, seconds: f64) {
         let turn = TURN_PER_S * view.fov_deg * seconds;
         let go_round = GO_ROUND_DEG_PER_S * seconds;
         match self {
-            Drive::LookUp => look(view, 0.0, turn),
-            Drive::LookDown => look(view, 0.0, -turn),
-            Drive::LookLeft => look(view, -turn, 0.0),
-            Drive::LookRight => look(view, turn, 0.0),
-            Drive::Nearer => approach(view, APPROACH_PER_S * seconds),
-            Drive::Farther => approach(view, -APPROACH_PER_S * seconds),
-            Drive::OrbitLeft => orbit(view, -go_round, 0.0),
-            Drive::OrbitRight => orbit(view, go_round, 0.0),
+            Movement::LookUp => look(view, 0.0, turn),
+            Movement::LookDown => look(view, 0.0, -turn),
+            Movement::LookLeft => look(view, -turn, 0.0),
+            Movement::LookRight => look(view, turn, 0.0),
+            Movement::Nearer => approach(view, APPROACH_PER_S * seconds),
+            Movement::Farther => approach(view, -APPROACH_PER_S * seconds),
+            Movement::OrbitLeft => orbit(view, -go_round, 0.0),
+            Movement::OrbitRight => orbit(view, go_round, 0.0),
         }
     }
 }
 
-/// Turns the view to the right and up, away from the hole.
+/// Turns the view to the right and up (yaw and pitch).
 pub fn look(view: &mut View, right_deg: f64, up_deg: f64) {
     view.yaw_deg = wrapped(view.yaw_deg + right_deg);
     view.pitch_deg = stopped(view.pitch_deg, view.pitch_deg + up_deg, PITCHES);
 }
 
-/// Moves the camera round the hole to the right and up.
+/// Moves the camera around the hole to the right and up (longitude and latitude).
 pub fn orbit(view: &mut View, right_deg: f64, up_deg: f64) {
     view.orbit_deg = wrapped(view.orbit_deg + right_deg);
     view.latitude_deg = stopped(view.latitude_deg, view.latitude_deg + up_deg, PITCHES);
@@ -60,7 +61,7 @@ pub fn orbit(view: &mut View, right_deg: f64, up_deg: f64) {
 /// Divides r − 1 by e to the `power`.
 pub fn approach(view: &mut View, power: f64) {
     let moved = 1.0 + (view.radius - 1.0) * (-power).exp();
-    // Beside the horizon a small step would be lost in rounding, and the camera never get away.
+    // Near the horizon a small step outwards would be lost in rounding, and the camera could never leave.
     let moved = match power < 0.0 {
         true => moved.max(view.radius.next_up()),
         false => moved,
@@ -68,18 +69,18 @@ pub fn approach(view: &mut View, power: f64) {
     view.radius = stopped(view.radius, moved, RADII);
 }
 
-/// Approaches by notches of the wheel.
+/// Moves towards the hole by notches of the wheel.
 pub fn scroll(view: &mut View, notches: f64) {
     approach(view, -notches * NOTCH.ln());
 }
 
-/// Makes the field of view smaller by notches.
+/// Zooms in by notches: makes the field of view smaller.
 pub fn zoom(view: &mut View, notches: f64) {
     let zoomed = view.fov_deg * NOTCH.powf(notches);
     view.fov_deg = stopped(view.fov_deg, zoomed, FIELDS_OF_VIEW);
 }
 
-/// The same view with its angles from −180 to 180.
+/// The same view with its angles wrapped to −180° … 180°.
 pub fn unwound(view: &View) -> View {
     View {
         orbit_deg: wrapped(view.orbit_deg),
@@ -91,13 +92,12 @@ pub fn unwound(view: &View) -> View {
     }
 }
 
-/// Where a movement from `before` to `after` ends: at an end of `range`, or if it began beyond that end, no
-/// farther out.
+/// Clamps a movement from `before` to `after` to `range`. If it began beyond an end, it goes no farther out.
 fn stopped(before: f64, after: f64, range: RangeInclusive<f64>) -> f64 {
     after.clamp(range.start().min(before), range.end().max(before))
 }
 
-/// To −180 … 180.
+/// Wraps an angle to −180° … 180°.
 fn wrapped(degrees: f64) -> f64 {
     match (-180.0..=180.0).contains(&degrees) {
         true => degrees,
@@ -112,22 +112,25 @@ mod tests {
 
     #[test]
     fn held_keys_move_by_time_and_not_by_frames() {
-        for drive in [
-            Drive::Nearer,
-            Drive::Farther,
-            Drive::LookLeft,
-            Drive::OrbitRight,
+        for movement in [
+            Movement::Nearer,
+            Movement::Farther,
+            Movement::LookLeft,
+            Movement::OrbitRight,
         ] {
             let mut once = View::default();
             let mut often = View::default();
-            drive.steer(&mut once, 0.5);
+            movement.steer(&mut once, 0.5);
             for _ in 0..50 {
-                drive.steer(&mut often, 0.01);
+                movement.steer(&mut often, 0.01);
             }
             assert_ne!(once, View::default());
-            assert!((once.radius - often.radius).abs() < 1e-9, "{drive:?}");
-            assert!((once.yaw_deg - often.yaw_deg).abs() < 1e-9, "{drive:?}");
-            assert!((once.orbit_deg - often.orbit_deg).abs() < 1e-9, "{drive:?}");
+            assert!((once.radius - often.radius).abs() < 1e-9, "{movement:?}");
+            assert!((once.yaw_deg - often.yaw_deg).abs() < 1e-9, "{movement:?}");
+            assert!(
+                (once.orbit_deg - often.orbit_deg).abs() < 1e-9,
+                "{movement:?}"
+            );
         }
     }
 
@@ -138,7 +141,7 @@ mod tests {
                 radius,
                 ..View::default()
             };
-            Drive::Nearer.steer(&mut view, 0.1);
+            Movement::Nearer.steer(&mut view, 0.1);
             radius - view.radius
         };
         assert!(step(2.0) < 0.1 * step(25.0));
@@ -153,20 +156,20 @@ mod tests {
             ..View::default()
         };
         let mut view = far;
-        Drive::Farther.steer(&mut view, 1.0);
+        Movement::Farther.steer(&mut view, 1.0);
         zoom(&mut view, 3.0);
         look(&mut view, 0.0, 10.0);
         assert_eq!(view, far);
-        Drive::Nearer.steer(&mut view, 0.1);
+        Movement::Nearer.steer(&mut view, 0.1);
         zoom(&mut view, -1.0);
         look(&mut view, 0.0, -10.0);
         assert!((4000.0..5000.0).contains(&view.radius), "{view:?}");
         assert!((0.01..0.02).contains(&view.fov_deg), "{view:?}");
         assert_eq!(view.pitch_deg, 110.0);
-        // Where a step is less than the last digit, steps still lead away.
+        // A step smaller than the rounding of r still moves the camera away from the horizon.
         view.radius = 1.0f64.next_up();
         for _ in 0..10_000 {
-            Drive::Farther.steer(&mut view, 0.016);
+            Movement::Farther.steer(&mut view, 0.016);
         }
         assert_eq!(view.radius, *RADII.end());
     }
@@ -189,21 +192,21 @@ mod tests {
     proptest! {
         #[test]
         fn no_motion_makes_a_view_without_a_camera(
-            deeds in prop::collection::vec((0..10usize, -1e4..1e4f64), 1..50)
+            actions in prop::collection::vec((0..10usize, -1e4..1e4f64), 1..50)
         ) {
             let mut view = View::default();
-            for (deed, amount) in deeds {
-                match deed {
+            for (action, amount) in actions {
+                match action {
                     0 => look(&mut view, amount, 0.3 * amount),
                     1 => orbit(&mut view, amount, 0.3 * amount),
                     2 => scroll(&mut view, amount),
                     3 => zoom(&mut view, amount),
-                    4 => Drive::Nearer.steer(&mut view, amount.abs()),
-                    5 => Drive::Farther.steer(&mut view, amount.abs()),
-                    6 => Drive::LookUp.steer(&mut view, amount.abs()),
+                    4 => Movement::Nearer.steer(&mut view, amount.abs()),
+                    5 => Movement::Farther.steer(&mut view, amount.abs()),
+                    6 => Movement::LookUp.steer(&mut view, amount.abs()),
                     _ => approach(&mut view, 1e-3 * amount),
                 }
-                prop_assert!(crate::camera::Camera::new(&view).is_ok(), "{view:?}");
+                prop_assert!(lensbake_render::camera::Camera::new(&view).is_ok(), "{view:?}");
                 prop_assert!(RADII.contains(&view.radius));
             }
         }

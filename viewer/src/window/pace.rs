@@ -1,47 +1,46 @@
-//! When the next frame is due, and how long the last ones were apart.
+//! Frame pacing: when the next frame is due, and how much time passed between frames.
 
 use super::meter::Meter;
 use std::time::{Duration, Instant};
 use winit::window::Window;
 
-/// A day away: the panel's way to say that it need not be painted again.
+/// A repaint delay of a day or more means that egui needs no repaint.
 const NEVER: Duration = Duration::from_secs(86_400);
-/// When to try again to show a frame that could not be shown, or to look for an answer of the GPU.
+/// Delay before the next attempt to show a frame, or to poll the GPU for a result.
 const RETRY: Duration = Duration::from_millis(100);
-/// Frames a second where the screen does not say how many it shows.
+/// Assumed refresh rate if the monitor reports none.
 const USUAL_REFRESH_HZ: f64 = 60.0;
-/// Where vertical sync does not hold frames back, they are paced a little faster than the screen, so
-/// that where it does, the pace is its own.
+/// Shortest time between frames, as a part of the refresh interval. It is below 1 so that vertical sync, where it
+/// works, sets the pace.
 const PACE: f64 = 0.9;
 
 /// What is left to do after a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Left {
-    /// It could not be shown: the window is covered or minimised.
+pub enum AfterFrame {
+    /// The frame could not be shown: the window is covered or minimised.
     NotShown,
-    /// Something moves, or has changed since it was drawn.
-    Unrest,
-    /// Nothing moves, but an answer of the GPU is to be looked for soon; the panel wants to be painted again
-    /// after this time.
+    /// Something moves, or has changed since the frame was drawn.
+    Moving,
+    /// Nothing moves, but a result of the GPU is expected soon; the panel wants a repaint after this time.
     Awaiting(Duration),
-    /// Nothing moves; the panel wants to be painted again after this time.
-    Rest(Duration),
+    /// Nothing moves; the panel wants a repaint after this time.
+    Idle(Duration),
 }
 
-impl Left {
-    /// After what time another frame is due, if it is.
+impl AfterFrame {
+    /// Time until the next frame is due; `None` if none is.
     pub fn wait(self) -> Option<Duration> {
         let wait = match self {
-            Left::NotShown => RETRY,
-            Left::Unrest => Duration::ZERO,
-            Left::Awaiting(again) => RETRY.min(again),
-            Left::Rest(again) => again,
+            AfterFrame::NotShown => RETRY,
+            AfterFrame::Moving => Duration::ZERO,
+            AfterFrame::Awaiting(again) => RETRY.min(again),
+            AfterFrame::Idle(again) => again,
         };
         (wait < NEVER).then_some(wait)
     }
 }
 
-/// The frames' times.
+/// Times of the frames.
 #[derive(Debug, Default)]
 pub struct Pace {
     last: Option<Instant>,
@@ -50,8 +49,8 @@ pub struct Pace {
 }
 
 impl Pace {
-    /// Begins a frame at `now`, in which something moves or not. Returns how long it has moved since the
-    /// last frame.
+    /// Begins a frame at `now`, in which something moves if `moving`. Returns the time since the last frame if
+    /// something moved in that one, else zero.
     pub fn begin(&mut self, now: Instant, moving: bool) -> Duration {
         let since = self.last.map(|last| now - last);
         match since {
@@ -64,8 +63,10 @@ impl Pace {
     }
 
     /// Schedules the frame after the one that began at `began`.
-    pub fn end(&mut self, began: Instant, left: Left, window: &Window) {
-        self.next = left.wait().map(|wait| began + wait.max(least_wait(window)));
+    pub fn end(&mut self, began: Instant, after: AfterFrame, window: &Window) {
+        self.next = after
+            .wait()
+            .map(|wait| began + wait.max(least_wait(window)));
     }
 
     /// When the next frame is due, if one is.
@@ -79,7 +80,7 @@ impl Pace {
     }
 }
 
-/// The least time from frame to frame.
+/// Shortest time from frame to frame.
 fn least_wait(window: &Window) -> Duration {
     let monitor = window.current_monitor();
     let hz = monitor.and_then(|monitor| monitor.refresh_rate_millihertz());
@@ -93,11 +94,11 @@ mod tests {
 
     #[test]
     fn at_rest_no_frame_is_due() {
-        assert_eq!(Left::Rest(Duration::MAX).wait(), None);
-        assert_eq!(Left::Rest(RETRY).wait(), Some(RETRY));
-        assert_eq!(Left::Awaiting(Duration::MAX).wait(), Some(RETRY));
-        assert_eq!(Left::Unrest.wait(), Some(Duration::ZERO));
-        assert_eq!(Left::NotShown.wait(), Some(RETRY));
+        assert_eq!(AfterFrame::Idle(Duration::MAX).wait(), None);
+        assert_eq!(AfterFrame::Idle(RETRY).wait(), Some(RETRY));
+        assert_eq!(AfterFrame::Awaiting(Duration::MAX).wait(), Some(RETRY));
+        assert_eq!(AfterFrame::Moving.wait(), Some(Duration::ZERO));
+        assert_eq!(AfterFrame::NotShown.wait(), Some(RETRY));
     }
 
     #[test]

@@ -1,17 +1,17 @@
 //! The panel, the help and the messages, drawn by egui.
 
-use super::controls::{Facts, Wish, controls};
+use super::controls::{PanelAction, PanelInfo, controls};
 use super::message::{self, Message};
 use super::settings::Settings;
-use crate::gpu::Gpu;
 use egui::{ClippedPrimitive, Context, TexturesDelta};
 use egui_wgpu::{RendererOptions, ScreenDescriptor};
+use lensbake_render::gpu::Gpu;
 use std::time::Duration;
 use wgpu::{CommandBuffer, CommandEncoder, RenderPass, TextureFormat};
 use winit::event::WindowEvent;
 use winit::window::Window;
 
-/// egui for one window.
+/// The egui state of one window.
 pub struct Panel {
     context: Context,
     state: egui_winit::State,
@@ -56,7 +56,7 @@ impl Panel {
         said.is_none_or(|said| said.text() != message.text())
     }
 
-    /// Tells the panel what happened; true if that was for the panel alone.
+    /// Passes an event to the panel; true if the panel consumes it.
     pub fn takes(&mut self, window: &Window, event: &WindowEvent) -> bool {
         if matches!(event, WindowEvent::KeyboardInput { .. }) && !self.context.text_edit_focused() {
             return false;
@@ -68,27 +68,27 @@ impl Panel {
         response.consumed
     }
 
-    /// Lays the panel out in a frame of `size` pixels, in which the user may change the settings. Returns
-    /// what to paint, what else is wanted, and when the panel wants to be painted next.
+    /// Lays out the panel in a frame of `size` pixels; the user may change the settings in it. Returns what to
+    /// paint, the panel's action, and the time until the panel wants a repaint.
     pub fn lay_out(
         &mut self,
         window: &Window,
         size: [u32; 2],
         settings: &mut Settings,
-        facts: &Facts,
-    ) -> (Paint<'_>, Wish, Duration) {
-        let mut wish = Wish::default();
+        facts: &PanelInfo,
+    ) -> (Paint<'_>, PanelAction, Duration) {
+        let mut action = PanelAction::default();
         self.message.take_if(|message| message.left().is_none());
         let message_left = self.message.as_ref().and_then(Message::left);
         let input = self.state.take_egui_input(window);
         let output = self.context.run_ui(input, |ui| {
             let context = ui.ctx();
-            wish = controls(context, settings, facts);
+            action = controls(context, settings, facts);
             if let Some(message) = &self.message {
                 message::show(context, message.text());
             }
         });
-        // A slider that was used must not keep the arrow keys.
+        // Without this, a slider that was used would keep the focus, and with it the arrow keys.
         if !self.context.text_edit_focused() && !self.context.egui_is_using_pointer() {
             self.context.memory_mut(|memory| {
                 if let Some(id) = memory.focused() {
@@ -110,12 +110,13 @@ impl Panel {
         };
         let again = output.viewport_output.values().map(|v| v.repaint_delay);
         let again = again.chain(message_left).min();
-        (paint, wish, again.unwrap_or(Duration::MAX))
+        (paint, action, again.unwrap_or(Duration::MAX))
     }
 }
 
 impl Paint<'_> {
-    /// Sends new textures to the device: needed even if the frame is not shown, for they come once.
+    /// Uploads egui's new textures. This is needed even if the frame is not shown, because egui sends each only
+    /// once.
     pub fn upload(&mut self, gpu: &Gpu) {
         let Gpu { device, queue, .. } = gpu;
         for (id, deltas) in &self.textures.set {
@@ -125,7 +126,7 @@ impl Paint<'_> {
         }
     }
 
-    /// Sends what is drawn to the device.
+    /// Uploads egui's geometry. Returns command buffers to submit before `encoder`.
     pub fn prepare(&mut self, gpu: &Gpu, encoder: &mut CommandEncoder) -> Vec<CommandBuffer> {
         let Gpu { device, queue, .. } = gpu;
         let (primitives, screen) = (&self.primitives, &self.screen);
@@ -133,12 +134,12 @@ impl Paint<'_> {
             .update_buffers(device, queue, encoder, primitives, screen)
     }
 
-    /// Draws.
+    /// Records the draw calls.
     pub fn draw(&self, pass: &mut RenderPass<'static>) {
         self.renderer.render(pass, &self.primitives, &self.screen);
     }
 
-    /// Lets go of what is no longer needed, after the frame was drawn or not.
+    /// Frees textures that are no longer needed. To be called whether or not the frame was drawn.
     pub fn finish(&mut self) {
         for id in &self.textures.free {
             self.renderer.free_texture(id);

@@ -1,41 +1,45 @@
-//! What a frame draws, worked out on the CPU from the settings.
+//! Plan of a frame, computed on the CPU from the settings.
 
 use super::settings::Settings;
-use crate::camera::{Camera, CameraError, View};
-use crate::gpu::{Show, Showing};
-use crate::scene::{Scene, SceneError};
+use lensbake_render::camera::{Camera, CameraError, View};
+use lensbake_render::gpu::{FrameContent, Presentation};
+use lensbake_render::lens::{Lens, LensError};
+use lensbake_render::scene::Sampling;
 use lensbake_tables::Table;
 use thiserror::Error;
 
 /// A frame to be drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
-    /// The picture, in its own pixels.
-    pub scene: Scene,
-    /// What of it.
-    pub show: Show,
-    /// The window as a picture of its own.
+    /// The lens, at the resolution of the picture.
+    pub lens: Lens,
+    /// How a pixel samples its area.
+    pub sampling: Sampling,
+    /// What the frame shows: one method, a split view, or a difference.
+    pub show: FrameContent,
+    /// The camera at the resolution of the window.
     pub window: Camera,
-    /// How the picture gets into it.
-    pub showing: Showing,
+    /// How the picture is shown in the window.
+    pub presentation: Presentation,
 }
 
-/// A frame that cannot be drawn.
+/// Why a frame cannot be drawn.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum PlanError {
-    /// The view.
+    /// The view is not a valid camera.
     #[error(transparent)]
     Camera(#[from] CameraError),
-    /// The table does not serve it.
+    /// The table cannot be used for the camera.
     #[error(transparent)]
-    Scene(#[from] SceneError),
+    Lens(#[from] LensError),
 }
 
 impl Plan {
-    /// The frame of a window of `window` pixels, drawn in `scale` pixels for each of them each way.
+    /// The plan for a window of `window` pixels, with `scale` pixels of the picture per pixel of the window along
+    /// each side.
     ///
     /// # Errors
-    /// [`PlanError`] if the table has no row for the camera.
+    /// [`PlanError`] if the view is not a valid camera, or the table has no row for it.
     pub fn new(
         settings: &Settings,
         table: &Table,
@@ -50,22 +54,23 @@ impl Plan {
                 ..settings.view
             })
         };
-        let scene = Scene::new(camera(picture)?, table, settings.method())?;
+        let lens = Lens::new(camera(picture)?, table, settings.method())?;
         Ok(Plan {
-            scene: scene.sampled(settings.sampling),
             show: settings.show(picture[0]),
             window: camera(window)?,
-            showing: settings.showing(window[0]),
+            presentation: settings.presentation(window[0], &lens),
+            sampling: settings.sampling,
+            lens,
         })
     }
 
-    /// Width and height of the picture, its own pixels.
+    /// Width and height of the picture in pixels.
     pub fn picture(&self) -> [u32; 2] {
-        [self.scene.camera.width, self.scene.camera.height]
+        [self.lens.camera.width, self.lens.camera.height]
     }
 }
 
-/// Pixels of a picture for a window of `window` pixels.
+/// Width and height of a picture for a window of `window` pixels, at least 1 each.
 pub fn scaled(window: [u32; 2], scale: f64) -> [u32; 2] {
     window.map(|side| ((f64::from(side) * scale).round() as u32).max(1))
 }

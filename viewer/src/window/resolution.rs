@@ -1,24 +1,24 @@
-//! How many pixels are drawn for each of the window's.
+//! Resolution of the picture relative to the window, fixed or dynamic.
 
 use std::time::Duration;
 
-/// The choice.
+/// Choice of the resolution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Resolution {
-    /// As many as the window has.
+    /// The window's resolution.
     Full,
-    /// Two by two for each of the window's.
+    /// Supersampling: 2 × 2 pixels per pixel of the window.
     Supersampled,
-    /// As many as the frame-time target allows.
+    /// Dynamic resolution: as many pixels as the frame-time target permits.
     Auto,
-    /// A quarter each way.
+    /// A quarter of the window's width and height.
     Quarter,
-    /// Half each way.
+    /// Half the window's width and height.
     Half,
 }
 
 impl Resolution {
-    /// All of them, in the order of the key.
+    /// All choices, in the order in which the key cycles through them.
     pub const ALL: [Resolution; 5] = [
         Resolution::Full,
         Resolution::Supersampled,
@@ -27,7 +27,7 @@ impl Resolution {
         Resolution::Half,
     ];
 
-    /// Its name.
+    /// The name in the panel.
     pub fn name(self) -> &'static str {
         match self {
             Resolution::Full => "1",
@@ -38,8 +38,8 @@ impl Resolution {
         }
     }
 
-    /// Pixels drawn along each side for a pixel of the window, `auto` of them if that is left to the
-    /// machine.
+    /// Pixels of the picture per pixel of the window along each side; for [`Resolution::Auto`] the scale of
+    /// `auto`.
     pub fn scale(self, auto: &AutoScale) -> f64 {
         match self {
             Resolution::Full => 1.0,
@@ -51,30 +51,31 @@ impl Resolution {
     }
 }
 
-/// Finds the scale that holds a frame-time target.
+/// Dynamic resolution: adjusts the scale to meet a frame-time target.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AutoScale {
     scale: f64,
 }
 
 impl AutoScale {
-    /// The scales it may choose.
+    /// Range of the scale.
     pub const RANGE: std::ops::RangeInclusive<f64> = 0.25..=1.0;
-    /// The part of the target that the drawing may take; the rest is for the window system.
+    /// Part of the target that drawing may take; the rest is for the window system.
     const SHARE: f64 = 0.85;
-    /// It stays where the time is within this part of what it aims at, so that the picture is at rest.
+    /// The scale does not change while the frame time differs from its aim by less than this part, so that it
+    /// settles.
     const TOLERANCE: f64 = 0.15;
-    /// How much of the way to the right scale it goes in a frame.
+    /// Part of the way to the right scale that is made per frame.
     const STRIDE: f64 = 0.3;
 
-    /// Learns what a frame at the present scale took.
+    /// Adjusts the scale after a frame at the present scale took this long.
     pub fn learn(&mut self, took: Duration, target: Duration) {
         let aim = Self::SHARE * target.as_secs_f64();
         let ratio = took.as_secs_f64().max(1e-6) / aim;
         if (ratio - 1.0).abs() < Self::TOLERANCE {
             return;
         }
-        // The time goes with the number of pixels.
+        // The time is proportional to the number of pixels.
         let right = self.scale / ratio.sqrt();
         let next = self.scale + Self::STRIDE * (right - self.scale);
         self.scale = next.clamp(*Self::RANGE.start(), *Self::RANGE.end());
@@ -91,7 +92,8 @@ impl Default for AutoScale {
 mod tests {
     use super::*;
 
-    /// A machine that takes so many ms for the full picture, and 1 ms whatever it draws.
+    /// Frame time (ms) after 200 frames on a machine that takes `full_ms` for the full picture, plus a constant 1
+    /// ms.
     fn settled(full_ms: f64, target_ms: f64) -> f64 {
         let mut auto = AutoScale::default();
         let ms = |auto: &AutoScale| 1.0 + full_ms * auto.scale * auto.scale;

@@ -1,14 +1,26 @@
-//! The window's picture, without the panel, to a file.
+//! Screenshots: the window's picture without the panel, written to a file.
 
-use super::stage::begin;
-use crate::gpu::{Gpu, GpuError, Presenter, texture};
-use crate::picture::{PictureError, encode_png};
-use lensbake_tables::output;
+use super::render_pass::begin;
+use lensbake_program::output::{self, OutputError};
+use lensbake_render::gpu::{Gpu, GpuError, Presenter, texture};
+use lensbake_render::picture::{PictureError, encode_png};
+use pollster::block_on;
 use std::path::PathBuf;
+use thiserror::Error;
 use wgpu::*;
 
-/// Draws what the presenter shows to a texture of `size` pixels and brings it back,
-/// `[height][width][3]` in 8-bit sRGB.
+/// Why a screenshot cannot be written.
+#[derive(Debug, Error)]
+pub(super) enum ScreenshotError {
+    /// The picture cannot be encoded.
+    #[error(transparent)]
+    Encode(#[from] PictureError),
+    /// The file cannot be written.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+}
+
+/// Draws what the presenter shows to a texture of this size and reads it back: `[height][width][3]`, 8-bit sRGB.
 pub(super) fn take(
     gpu: &Gpu,
     presenter: &Presenter,
@@ -38,7 +50,7 @@ pub(super) fn take(
     };
     encoder.copy_texture_to_buffer(texture.as_image_copy(), to, texture.size());
     gpu.queue.submit([encoder.finish()]);
-    let bytes: Vec<u8> = gpu.read(&buffer)?;
+    let bytes: Vec<u8> = block_on(gpu.read(&buffer))?;
     let blue_first = matches!(
         format,
         TextureFormat::Bgra8Unorm | TextureFormat::Bgra8UnormSrgb
@@ -57,7 +69,7 @@ pub(super) fn take(
 }
 
 /// Writes a screenshot to the first free `lensbake-N.png` of the current folder, and returns its name.
-pub(super) fn write([width, height]: [u32; 2], pixels: &[u8]) -> Result<PathBuf, PictureError> {
+pub(super) fn write([width, height]: [u32; 2], pixels: &[u8]) -> Result<PathBuf, ScreenshotError> {
     let free = (1..)
         .map(|n| PathBuf::from(format!("lensbake-{n}.png")))
         .find(|path| !path.exists())

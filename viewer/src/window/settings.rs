@@ -1,16 +1,18 @@
-//! What the window is told to show; keys and panel change it, a frame reads it.
+//! Settings of the window: keys, mouse and panel change them, a frame reads them.
 
 use super::keys::Change;
 use super::motion::{self, ORBIT_SPEEDS};
 use super::resolution::Resolution;
-use crate::camera::View;
-use crate::gpu::{Edge, Show, Showing};
-use crate::scene::{Method, Sampling};
+use lensbake_render::camera::View;
+use lensbake_render::gpu::{EdgeMode, FrameContent, Presentation};
+use lensbake_render::lens::{Deflection, Lens};
+use lensbake_render::scene::Sampling;
+use lensbake_render::shadow::Shadow;
 use std::ops::RangeInclusive;
 use std::time::Duration;
 use thiserror::Error;
 
-/// Table against direct integration.
+/// Comparison of table lookup and direct integration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Comparison {
     /// The table alone.
@@ -19,12 +21,12 @@ pub enum Comparison {
     Direct,
     /// The table on the left, direct integration on the right of a divider.
     Split,
-    /// How far their pictures are apart, amplified.
+    /// The difference of the two pictures, amplified.
     Difference,
 }
 
 impl Comparison {
-    /// All of them, in the order of the key.
+    /// All comparisons, in the order in which the key cycles through them.
     pub const ALL: [Comparison; 4] = [
         Comparison::Table,
         Comparison::Direct,
@@ -32,7 +34,7 @@ impl Comparison {
         Comparison::Difference,
     ];
 
-    /// Its name.
+    /// The name in panel and title bar.
     pub fn name(self) -> &'static str {
         match self {
             Comparison::Table => "table",
@@ -43,62 +45,62 @@ impl Comparison {
     }
 }
 
-/// All of it.
+/// The settings.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
-    /// Where the camera is and looks; its size is the window's.
+    /// Position, orientation and field of view of the camera; its size in pixels is replaced by the window's.
     pub view: View,
-    /// Which of [`ORBIT_SPEEDS`].
+    /// Index into [`ORBIT_SPEEDS`].
     pub orbit_speed: usize,
-    /// Whether the light is bent.
+    /// Whether light is deflected.
     pub deflection: bool,
-    /// By whom.
+    /// Deflection method, or a comparison of two.
     pub comparison: Comparison,
     /// Step of the direct integrator, rad.
     pub step: f64,
-    /// What of its area a pixel shows.
+    /// How a pixel samples its area.
     pub sampling: Sampling,
-    /// Where the divider stands, as a part of the window's width.
+    /// Position of the divider, as a part of the window's width.
     pub divider: f64,
-    /// What a difference is multiplied by.
+    /// Factor that amplifies the difference.
     pub gain: f32,
-    /// How much brighter the sky is shown, in stops.
+    /// Exposure of the picture, stops.
     pub exposure: f32,
-    /// How many pixels are drawn for each of the window's.
+    /// Resolution of the picture relative to the window.
     pub resolution: Resolution,
-    /// The frame time that the automatic resolution holds, ms.
+    /// Frame-time target of the dynamic resolution, ms.
     pub target_ms: f64,
-    /// Whether the panel is there.
+    /// Whether the panel is shown.
     pub panel: bool,
-    /// Whether the help is there.
+    /// Whether the help is shown.
     pub help: bool,
 }
 
-/// A number among the settings that makes no sense.
+/// A setting that is out of range.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error("{what} {value} is not from {least} to {most}")]
 pub struct OutOfRange {
-    /// Which.
+    /// Name of the setting.
     pub what: &'static str,
-    /// What it is.
+    /// Value of the setting.
     pub value: f64,
-    /// The least that it may be.
+    /// Least valid value.
     pub least: f64,
-    /// The most.
+    /// Greatest valid value.
     pub most: f64,
 }
 
 impl Settings {
-    /// Gains that make sense: with 1 nothing is amplified.
+    /// Valid gains; 1 does not amplify.
     pub const GAINS: RangeInclusive<f32> = 1.0..=1048576.0;
 
-    /// Exposures to choose from, stops.
+    /// Valid exposures, stops.
     pub const EXPOSURES: RangeInclusive<f32> = -8.0..=8.0;
 
-    /// Frame times for the automatic resolution to hold, ms.
+    /// Valid frame-time targets, ms.
     pub const TARGETS_MS: RangeInclusive<f64> = 4.0..=200.0;
 
-    /// The settings at the start, in a view.
+    /// The settings at the start, with this view and step of direct integration (rad).
     pub fn new(view: View, step: f64) -> Self {
         Settings {
             view: motion::unwound(&view),
@@ -117,8 +119,8 @@ impl Settings {
         }
     }
 
-    /// All numbers, each as a function that copies it from the second settings to the first. With them a
-    /// change can be taken over in part.
+    /// One function for each number, which copies it from the second settings to the first, so that a change can
+    /// be kept in part.
     pub(super) const PARTS: [fn(&mut Settings, &Settings); 11] = [
         |to, from| to.view.radius = from.view.radius,
         |to, from| to.view.fov_deg = from.view.fov_deg,
@@ -133,10 +135,10 @@ impl Settings {
         |to, from| to.target_ms = from.target_ms,
     ];
 
-    /// Checks the numbers that are not the camera's.
+    /// Checks the numbers that do not belong to the camera.
     ///
     /// # Errors
-    /// [`OutOfRange`] names the first that is not in its range.
+    /// [`OutOfRange`] for the first number that is not in its range.
     pub fn check(&self) -> Result<(), OutOfRange> {
         let wide = |range: RangeInclusive<f32>| f64::from(*range.start())..=f64::from(*range.end());
         let numbers = [
@@ -159,47 +161,50 @@ impl Settings {
         Ok(())
     }
 
-    /// Who turns the light.
-    pub fn method(&self) -> Method {
+    /// Deflection method; direct integration for a comparison.
+    pub fn method(&self) -> Deflection {
         match self.comparison {
-            _ if !self.deflection => Method::Flat,
-            Comparison::Table => Method::Lut,
-            _ => Method::Direct { step: self.step },
+            _ if !self.deflection => Deflection::Flat,
+            Comparison::Table => Deflection::Lut,
+            _ => Deflection::Direct { step: self.step },
         }
     }
 
-    /// What a frame of `width` pixels across shows.
-    pub fn show(&self, width: u32) -> Show {
+    /// What a frame that is `width` pixels wide shows.
+    pub fn show(&self, width: u32) -> FrameContent {
         match self.comparison {
-            Comparison::Split if self.is_split() => Show::Split {
+            Comparison::Split if self.is_split() => FrameContent::Split {
                 divider: self.divider_column(width),
             },
-            Comparison::Difference if self.deflection => Show::Difference { gain: self.gain },
-            _ => Show::Picture,
+            Comparison::Difference if self.deflection => {
+                FrameContent::Difference { gain: self.gain }
+            }
+            _ => FrameContent::Picture,
         }
     }
 
-    /// How it is shown in a window of `width` pixels across.
-    pub fn showing(&self, width: u32) -> Showing {
-        let edge = match self.show(width) {
-            // The direct integrator draws an edge of its own, which is to be seen as it is.
-            Show::Picture if self.method() == Method::Lut => Edge::Shadow,
-            Show::Picture if self.method() == Method::Flat => Edge::Sphere,
-            _ => Edge::AsDrawn,
+    /// How the picture of `lens` is shown in a window that is `width` pixels wide.
+    pub fn presentation(&self, width: u32, lens: &Lens) -> Presentation {
+        let edge = match (self.show(width), lens.deflection) {
+            // Direct integration draws its own shadow boundary, which is shown as it is.
+            (FrameContent::Picture, Deflection::Lut | Deflection::Flat) => {
+                EdgeMode::Redrawn(Shadow::of(lens))
+            }
+            _ => EdgeMode::AsDrawn,
         };
-        Showing {
+        Presentation {
             edge,
             divider: self.is_split().then(|| self.divider_column(width)),
             exposure: self.exposure,
         }
     }
 
-    /// The column in which the divider stands.
+    /// Column of the divider in a frame that is `width` pixels wide.
     pub fn divider_column(&self, width: u32) -> u32 {
         (self.divider * f64::from(width)).round() as u32
     }
 
-    /// Changes them as a key does.
+    /// Applies the change of a key.
     pub fn change(&mut self, change: Change) {
         match change {
             Change::NextOrbitSpeed => {
@@ -235,13 +240,13 @@ impl Settings {
         ORBIT_SPEEDS[self.orbit_speed]
     }
 
-    /// The frame time that the automatic resolution holds.
+    /// Frame-time target of the dynamic resolution.
     pub fn target(&self) -> Duration {
         Duration::from_secs_f64(1e-3 * self.target_ms)
     }
 }
 
-/// The one after `now` in `all`, round and round.
+/// The element after `now` in `all`, cyclically.
 pub fn next<T: PartialEq + Copy>(all: &[T], now: T) -> T {
     let at = all.iter().position(|&one| one == now).unwrap_or(0);
     all[(at + 1) % all.len()]
@@ -257,8 +262,8 @@ mod tests {
         settings.deflection = false;
         for comparison in Comparison::ALL {
             settings.comparison = comparison;
-            assert_eq!(settings.method(), Method::Flat);
-            assert_eq!(settings.show(100), Show::Picture);
+            assert_eq!(settings.method(), Deflection::Flat);
+            assert_eq!(settings.show(100), FrameContent::Picture);
         }
     }
 

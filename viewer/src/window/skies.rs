@@ -1,12 +1,12 @@
-//! The skies to choose from: the built-in ones and what the user brings. Each goes to the GPU when it
-//! is first looked at, and stays there; a thread reads it, so that the window does not stand still.
+//! The skies to choose from: the built-in ones and those that the user drops. A thread loads a sky when it is
+//! first selected, so that the window does not freeze; then the sky stays on the GPU.
 
-use super::app::Arrival;
-use crate::gpu::SkyOnDevice;
-use crate::sky::{self, SkySource};
+use super::event::AppEvent;
+use lensbake_render::gpu::SkyOnDevice;
+use lensbake_render::sky::{self, SkySource};
 use winit::event_loop::EventLoopProxy;
 
-/// A sky to choose.
+/// A sky in the list.
 #[derive(Debug)]
 struct Choice {
     source: SkySource,
@@ -14,17 +14,17 @@ struct Choice {
     asked_for: bool,
 }
 
-/// All of them; one is looked at.
+/// All skies, of which one is selected.
 #[derive(Debug)]
 pub struct Skies {
     choices: Vec<Choice>,
     shown: usize,
-    proxy: EventLoopProxy<Arrival>,
+    proxy: EventLoopProxy<AppEvent>,
 }
 
 impl Skies {
-    /// The built-in ones, and `first` if it is none of them, on the device already.
-    pub fn new(first: SkySource, sky: SkyOnDevice, proxy: EventLoopProxy<Arrival>) -> Self {
+    /// The built-in skies, and `first` if it is not one of them. `sky` is `first` on the device.
+    pub fn new(first: SkySource, sky: SkyOnDevice, proxy: EventLoopProxy<AppEvent>) -> Self {
         let built_in = [
             SkySource::Nebula,
             SkySource::Starmap,
@@ -41,33 +41,33 @@ impl Skies {
         skies
     }
 
-    /// Their names, in the order of the key.
+    /// Names of the skies, in the order in which the key cycles through them.
     pub fn names(&self) -> impl Iterator<Item = String> {
         self.choices.iter().map(|choice| choice.source.name())
     }
 
-    /// Which is looked at.
+    /// Index of the selected sky.
     pub fn shown(&self) -> usize {
         self.shown
     }
 
-    /// The name of the one that is looked at.
+    /// Name of the selected sky.
     pub fn name(&self) -> String {
         self.choices[self.shown].source.name()
     }
 
-    /// Whether what is looked at is nothing but stars.
+    /// Whether the sky `stars` is selected.
     pub fn is_stars(&self) -> bool {
         self.choices[self.shown].source == SkySource::Stars
     }
 
-    /// The one after it.
+    /// Index of the next sky.
     pub fn next(&self) -> usize {
         (self.shown + 1) % self.choices.len()
     }
 
-    /// The place of a source among the choices, a new one if need be. What the user brought before
-    /// makes room: a sky is up to 400 MB.
+    /// Index of a source, which is added if it is new. It then replaces the skies that the user dropped earlier: a
+    /// sky takes up to 400 MB.
     fn index(&mut self, source: SkySource) -> usize {
         if let Some(at) = self.choices.iter().position(|c| c.source == source) {
             return at;
@@ -77,7 +77,7 @@ impl Skies {
         self.choices.len() - 1
     }
 
-    /// Looks at another: its sky if it is on the device, else it is on its way.
+    /// Selects a sky. Returns it if it is on the device; otherwise a thread loads it and sends an `AppEvent::Sky`.
     pub fn choose(&mut self, index: usize) -> Option<SkyOnDevice> {
         self.shown = index;
         let choice = &mut self.choices[index];
@@ -87,13 +87,13 @@ impl Skies {
             std::thread::spawn(move || {
                 let sky = sky::load(&source).map(Box::new);
                 // The window may have closed meanwhile.
-                let _ = proxy.send_event(Arrival::Sky(source, sky));
+                let _ = proxy.send_event(AppEvent::Sky(source, sky));
             });
         }
         choice.on_device.clone()
     }
 
-    /// Keeps a sky that has arrived; returns its place.
+    /// Keeps a sky that is on the device now; returns its index.
     pub fn keep(&mut self, source: SkySource, sky: SkyOnDevice) -> usize {
         let at = self.index(source);
         self.choices[at].on_device = Some(sky);

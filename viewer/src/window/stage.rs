@@ -1,58 +1,57 @@
-//! The window's surface and what is drawn to it.
+//! The window's surface (swap chain), and the frames drawn to it.
 
 use super::panel::Paint;
 use super::plan::Plan;
+use super::render_pass::begin;
 use super::{WindowError, screenshot};
-use crate::camera::MAX_SIDE;
-use crate::gpu::{
-    Gpu, GpuError, Lap, Live, Presenter, Renderer, SkyOnDevice, StarLight, Stopwatch, Timed,
+use lensbake_render::camera::MAX_SIDE;
+use lensbake_render::gpu::{
+    Gpu, GpuError, Lap, Presenter, RealtimeRenderer, Renderer, SkyOnDevice, StarLight,
+    StarsOnDevice, Stopwatch, Timed,
 };
-use crate::sky::Sky;
-use crate::stars::StarField;
-use lensbake_tables::Row;
+use lensbake_render::scene::Scene;
+use lensbake_render::sky::Sky;
+use lensbake_render::stars::StarField;
+use pollster::block_on;
 use std::sync::Arc;
 use wgpu::*;
 use winit::window::Window;
 
-/// The GPU's side of the window.
+/// GPU resources of the window.
 pub struct Stage {
     gpu: Gpu,
     window: Arc<Window>,
     surface: Surface<'static>,
     config: SurfaceConfiguration,
-    live: Live,
+    realtime: RealtimeRenderer,
+    sky: SkyOnDevice,
+    stars: Option<StarsOnDevice>,
     presenter: Presenter,
     stopwatch: Stopwatch,
     drawn: Option<Plan>,
 }
 
-/// Side of a picture that has more pixels than the window at the most: half a gigabyte.
+/// Largest side of a supersampled picture: half a gigabyte.
 const SUPERSAMPLED_SIDE: u32 = 8192;
 
-/// What became of a frame.
+/// Whether a frame was presented.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shown {
-    /// It is on the screen.
-    Yes,
-    /// There was nothing to draw on: the window is minimised, covered, or being resized.
-    NotNow,
+    /// It was presented.
+    Presented,
+    /// It was not: the window is minimised, covered, or being resized.
+    Skipped,
 }
 
 impl Stage {
-    /// A stage for `window`, before `sky`, with rows of the shape of `row` and a direct integrator of this
-    /// step, rad. Returns the sky on the device with it.
+    /// A stage for `window` with this sky. Returns the uploaded sky as well.
     ///
     /// # Errors
     /// [`WindowError::Gpu`] if there is no GPU, or it cannot draw to the window.
-    pub fn new(
-        window: Arc<Window>,
-        sky: &Sky,
-        row: &Row,
-        step: f64,
-    ) -> Result<(Self, SkyOnDevice), WindowError> {
-        let (gpu, surface) = Gpu::open_for(window.clone())?;
+    pub fn new(window: Arc<Window>, sky: &Sky) -> Result<(Self, SkyOnDevice), WindowError> {
+        let (gpu, surface) = block_on(Gpu::open_for(window.clone()))?;
         let capabilities = surface.get_capabilities(gpu.adapter());
-        // A format that leaves the encoding to the shader, as the panel likes it.
+        // A format that is not sRGB leaves the encoding to the shader, as egui prefers.
         let plain = capabilities.formats.iter().find(|format| {
             matches!(
                 format,
@@ -68,20 +67,22 @@ impl Stage {
         config.format = format;
         config.present_mode = PresentMode::AutoVsync;
         surface.configure(&gpu.device, &config);
-        let renderer = Renderer::new(&gpu, sky)?;
-        let on_device = renderer.sky();
-        let live = Live::new(renderer, row, [1, 1], &[step]);
+        let renderer = Renderer::new(&gpu);
+        let sky = block_on(renderer.upload_sky(sky))?;
+        let realtime = RealtimeRenderer::new(renderer, [1, 1]);
         let stage = Stage {
-            presenter: Presenter::new(&gpu, &live, format),
+            presenter: Presenter::new(&gpu, &realtime, format),
             stopwatch: Stopwatch::new(&gpu),
-            live,
+            realtime,
+            sky: sky.clone(),
+            stars: None,
             gpu,
             window,
             surface,
             config,
             drawn: None,
         };
-        Ok((stage, on_device))
+        Ok((stage, sky))
     }
 
     /// The device.
@@ -94,9 +95,9 @@ impl Stage {
         self.config.format
     }
 
-    /// Takes over the window's size and returns it, pixels; none when it has no pixels, as when
-    /// minimised. Everything in a frame goes by this size, for the window's own may change meanwhile. Of a
-    /// window larger than the device can draw, it is the part that it can.
+    /// Configures the surface for the window's size and returns that size in pixels; `None` if the window has no
+    /// pixels, as when it is minimised. The whole frame uses this size, because the window's own may change
+    /// meanwhile. It is limited to what the device can draw.
     pub fn fit(&mut self) -> Option<[u32; 2]> {
         let [width, height] = pixels(&self.window, &self.gpu)?;
         if !self.fits([width, height]) {
@@ -115,53 +116,49 @@ impl Stage {
         self.surface.configure(&self.gpu.device, &self.config);
     }
 
-    /// `scale`, or the largest whole one at which a picture of the window is not too large.
+    /// `scale`, limited to the largest whole number (at least 1) at which no side of the picture exceeds
+    /// `SUPERSAMPLED_SIDE`.
     pub fn fitting(&self, scale: f64) -> f64 {
         let side = self.config.width.max(self.config.height);
         scale.min(f64::from((SUPERSAMPLED_SIDE / side).max(1)))
     }
 
-    /// Puts a sky on the device.
+    /// Uploads a sky.
     ///
     /// # Errors
     /// [`GpuError::Failed`] if it does not fit.
-    pub fn upload(&mut self, sky: &Sky) -> Result<SkyOnDevice, GpuError> {
-        self.live.renderer().upload(sky)
+    pub fn upload_sky(&self, sky: &Sky) -> Result<SkyOnDevice, GpuError> {
+        block_on(self.realtime.renderer().upload_sky(sky))
     }
 
-    /// Draws before this sky from now on.
+    /// Uploads stars.
+    pub fn upload_stars(&self, field: &StarField) -> StarsOnDevice {
+        self.realtime.renderer().upload_stars(field)
+    }
+
+    /// Sets the sky of the next frames.
     pub fn set_sky(&mut self, sky: &SkyOnDevice) {
-        self.live.renderer().set_sky(sky);
+        self.sky = sky.clone();
         self.drawn = None;
     }
 
-    /// Draws the stars of `field` before the sky from now on, or none.
-    pub fn set_stars(&mut self, field: Option<&StarField>) {
-        self.live.set_stars(field);
-        self.presenter.follow(&self.gpu, &self.live);
+    /// Sets the stars of the next frames; `None` for no stars.
+    pub fn set_stars(&mut self, stars: Option<StarsOnDevice>) {
+        self.stars = stars;
         self.drawn = None;
     }
 
-    /// Makes ready for rows of the shape of `row`.
-    pub fn set_row_shape(&mut self, row: &Row) {
-        if !self.live.takes(row) {
-            self.live.set_row_shape(row);
-            self.presenter.follow(&self.gpu, &self.live);
-            self.drawn = None;
-        }
-    }
-
-    /// Makes room for pictures of `room` pixels.
+    /// Makes the textures large enough for pictures of `room` pixels.
     pub fn set_room(&mut self, room: [u32; 2]) {
-        if room != self.live.room() {
-            self.live.set_room(room);
-            self.presenter.follow(&self.gpu, &self.live);
+        if room != self.realtime.room() {
+            self.realtime.set_room(room);
+            self.presenter.follow(&self.gpu, &self.realtime);
             self.drawn = None;
         }
     }
 
-    /// Shows a plan in the window, and the panel's `paint` over it. The picture is drawn only if it is
-    /// not there already.
+    /// Draws a plan, and the panel's `paint` over it, and presents the frame. The picture is drawn only if the
+    /// plan, the sky or the stars have changed.
     ///
     /// # Errors
     /// [`WindowError`] if the device failed or was lost, or the window has no surface any more.
@@ -177,8 +174,8 @@ impl Stage {
         let frame = match self.surface.get_current_texture() {
             CurrentSurfaceTexture::Success(frame) => frame,
             CurrentSurfaceTexture::Suboptimal(frame) => {
-                // Shown as it is. If the window has changed meanwhile, the next one fits; a window larger
-                // than the device can draw never does.
+                // Present it all the same. Redraw only if the window's size has changed: a window larger than the
+                // device can draw is always suboptimal.
                 if pixels(&self.window, &self.gpu).is_some_and(|size| !self.fits(size)) {
                     self.window.request_redraw();
                 }
@@ -187,21 +184,21 @@ impl Stage {
             CurrentSurfaceTexture::Outdated => {
                 self.configure();
                 self.window.request_redraw();
-                return Ok(Shown::NotNow);
+                return Ok(Shown::Skipped);
             }
             CurrentSurfaceTexture::Lost => {
                 self.surface = self.gpu.surface(self.window.clone())?;
                 self.configure();
                 self.window.request_redraw();
-                return Ok(Shown::NotNow);
+                return Ok(Shown::Skipped);
             }
             CurrentSurfaceTexture::Timeout
             | CurrentSurfaceTexture::Occluded
-            | CurrentSurfaceTexture::Validation => return Ok(Shown::NotNow),
+            | CurrentSurfaceTexture::Validation => return Ok(Shown::Skipped),
         };
         let on_screen = [frame.texture.width(), frame.texture.height()];
         if on_screen != [plan.window.width, plan.window.height] {
-            return Ok(Shown::NotNow);
+            return Ok(Shown::Skipped);
         }
         let timed = self.draw(plan);
         let view = frame.texture.create_view(&Default::default());
@@ -224,36 +221,42 @@ impl Stage {
         self.drawn = Some(plan.clone());
         self.window.pre_present_notify();
         self.gpu.queue.present(frame);
-        Ok(Shown::Yes)
+        Ok(Shown::Presented)
     }
 
-    /// Draws the picture of a plan unless it is there already, and sets how it is shown.
+    /// Draws the picture of a plan if it has changed, and updates the presenter.
     fn draw(&mut self, plan: &Plan) -> Option<Timed> {
         self.presenter
-            .show(plan.picture(), &plan.window, plan.showing);
+            .show(plan.picture(), &plan.window, plan.presentation);
         if self.drawn.as_ref() == Some(plan) {
             return None;
         }
-        self.live.show(&plan.scene, plan.show);
-        self.stopwatch.submit(&self.gpu, &self.live)
+        let scene = Scene {
+            lens: plan.lens.clone(),
+            sampling: plan.sampling,
+            sky: self.sky.clone(),
+            stars: self.stars.clone(),
+        };
+        self.realtime.show(&scene, plan.show);
+        self.stopwatch.submit(&self.gpu, &self.realtime)
     }
 
-    /// The GPU's times of the frames that have come back since the last call.
+    /// GPU times of the frames, as far as they have arrived since the last call.
     pub fn laps(&self) -> impl Iterator<Item = Lap> {
         self.stopwatch.arrived()
     }
 
-    /// Whether the picture has all light of its stars, if that has come back since the last call.
+    /// Whether the picture has the light of all its stars, if the GPU has reported that since the last call.
     pub fn star_light(&self) -> Option<StarLight> {
-        self.live.star_light()
+        self.realtime.star_light()
     }
 
-    /// Whether [`Stage::star_light`] will have something to tell.
+    /// Whether the GPU has still to report to [`Stage::star_light`].
     pub fn awaits_star_light(&self) -> bool {
-        self.live.awaits_star_light()
+        self.realtime.awaits_star_light()
     }
 
-    /// Draws a plan without the panel: what the window shows, `[height][width][3]` in 8-bit sRGB.
+    /// Draws a plan without the panel and reads back what the window shows: `[height][width][3]`, 8-bit sRGB.
     ///
     /// # Errors
     /// [`GpuError::Failed`] if the device does.
@@ -265,32 +268,10 @@ impl Stage {
     }
 }
 
-/// Pixels of a window, as far as a device can draw them and a camera has them; none if it has none.
+/// Size of a window in pixels, limited to what the device and a camera support; `None` if it has no pixels.
 fn pixels(window: &Window, gpu: &Gpu) -> Option<[u32; 2]> {
     let most = gpu.device.limits().max_texture_dimension_2d.min(MAX_SIDE);
     let size = window.inner_size();
     let size = [size.width, size.height].map(|side| side.min(most));
     (size[0] > 0 && size[1] > 0).then_some(size)
-}
-
-/// Begins to draw a whole window.
-pub(super) fn begin<'a>(
-    encoder: &'a mut CommandEncoder,
-    view: &TextureView,
-    timestamp_writes: Option<RenderPassTimestampWrites>,
-) -> RenderPass<'a> {
-    encoder.begin_render_pass(&RenderPassDescriptor {
-        label: Some("window"),
-        color_attachments: &[Some(RenderPassColorAttachment {
-            view,
-            depth_slice: None,
-            resolve_target: None,
-            ops: Operations {
-                load: LoadOp::Clear(Color::BLACK),
-                store: StoreOp::Store,
-            },
-        })],
-        timestamp_writes,
-        ..Default::default()
-    })
 }

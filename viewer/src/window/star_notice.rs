@@ -1,23 +1,23 @@
-//! When the window says that stars are missing: once while they are.
+//! The notice that stars are missing, shown once while they are.
 
-use crate::gpu::StarLight;
+use lensbake_render::gpu::StarLight;
 use std::time::{Duration, Instant};
 
-/// Only if all stars have been there for so long is it said anew that some are missing: in a moving picture they
-/// may come and go.
+/// Time for which all stars must be present before the notice is repeated: in a moving picture they may come and
+/// go.
 const ALL_THERE: Duration = Duration::from_secs(10);
 
 const NOTICE: &str = "some stars are missing: they have more images than the GPU has room for; start again with a \
     lower --star-exposure or fewer stars";
 
-/// Whether it has been said.
+/// State of the notice.
 #[derive(Debug, Default)]
 pub(super) struct StarNotice {
     last_missing: Option<Instant>,
 }
 
 impl StarNotice {
-    /// What to say of a frame that came back `now` with this light, if anything.
+    /// The notice to show after the GPU reported `light` at `now`, if any.
     pub(super) fn of(&mut self, light: StarLight, now: Instant) -> Option<&'static str> {
         if light == StarLight::Whole {
             return None;

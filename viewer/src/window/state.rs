@@ -1,59 +1,59 @@
-//! What the window shows, and the one rule that it keeps: whatever keys, mouse, panel, dropped files and
-//! flags do, settings and table make a picture.
+//! State of the window: settings and table, which can be drawn after any input from keys, mouse, panel, dropped
+//! files and flags.
 //!
-//! They change [`State::settings`] as they like. [`State::settle`] then takes over what can be drawn, leaves
-//! the rest as it was, and says why. [`State::plan`] draws what was taken over last.
+//! Input changes [`State::settings`] freely. [`State::settle`] then keeps the changes that can be drawn, reverts
+//! the others, and says why. [`State::plan`] draws the settings that were kept last.
 
 use super::plan::{Plan, PlanError};
 use super::settings::{OutOfRange, Settings};
 use super::title;
-use crate::camera::CameraError;
-use crate::scene::SceneError;
+use lensbake_render::camera::CameraError;
+use lensbake_render::lens::LensError;
 use lensbake_tables::{Rows, Table, TableError};
 use std::fmt;
 use std::path::Path;
 use std::rc::Rc;
 use thiserror::Error;
 
-/// A table, and what it is called.
+/// A table and its name.
 #[derive(Clone)]
 pub struct NamedTable {
     table: Rc<Table>,
     name: String,
 }
 
-/// What the window shows.
+/// State of the window.
 #[derive(Debug, Clone)]
 pub struct State {
-    /// What keys, mouse and panel change.
+    /// The settings that keys, mouse and panel change.
     pub settings: Settings,
-    /// The settings as they were when they could be drawn last.
+    /// The last settings that could be drawn.
     drawable: Settings,
     table: NamedTable,
     start: (Settings, NamedTable),
 }
 
-/// Something that cannot be drawn.
+/// Why something cannot be drawn.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum Refusal {
-    /// A number that makes no sense.
+    /// A setting is out of range.
     #[error(transparent)]
     Number(#[from] OutOfRange),
-    /// A view without a camera.
+    /// The view is not a valid camera.
     #[error(transparent)]
     View(#[from] CameraError),
-    /// A table that does not serve the camera.
+    /// The table cannot be used for the camera.
     #[error("{name}: {problem}")]
     Table {
-        /// The table.
+        /// Name of the table.
         name: String,
         /// What is wrong.
-        problem: SceneError,
+        problem: LensError,
     },
-    /// A table of one observer, who can be no camera.
+    /// The table has one observer only, where there can be no camera.
     #[error("{name} holds one observer only, and no camera can be there: {problem}")]
     Observer {
-        /// The table.
+        /// Name of the table.
         name: String,
         /// Why not.
         problem: CameraError,
@@ -61,17 +61,17 @@ pub enum Refusal {
 }
 
 impl Refusal {
-    /// Whether the table is one of another radius.
+    /// Whether the table's only row is for another radius.
     fn is_of_radius(&self) -> bool {
         let Refusal::Table { problem, .. } = self else {
             return false;
         };
-        matches!(problem, SceneError::Table(TableError::OtherObserver { .. }))
+        matches!(problem, LensError::Table(TableError::OtherObserver { .. }))
     }
 }
 
 impl NamedTable {
-    /// A table that a file of this name, or the program itself, has.
+    /// A table with the name of its file, or of the built-in atlas.
     pub fn new(table: Table, name: impl Into<String>) -> Self {
         NamedTable {
             table: Rc::new(table),
@@ -84,13 +84,13 @@ impl NamedTable {
         &self.table
     }
 
-    /// Its name, without the folders that lead to it.
+    /// The name without folders.
     pub fn short_name(&self) -> String {
         let file = Path::new(&self.name).file_name();
         file.map_or_else(|| self.name.clone(), |name| name.display().to_string())
     }
 
-    /// The radius of the one observer that it serves, if it serves no other.
+    /// The radius of the observer, if the table has one only.
     fn only_radius(&self) -> Option<f64> {
         match self.table.header().rows {
             Rows::One { inverse_radius } => Some(1.0 / inverse_radius),
@@ -106,7 +106,7 @@ impl NamedTable {
     fn plan(&self, settings: &Settings, window: [u32; 2], scale: f64) -> Result<Plan, Refusal> {
         Plan::new(settings, &self.table, window, scale).map_err(|problem| match problem {
             PlanError::Camera(problem) => Refusal::View(problem),
-            PlanError::Scene(problem) => Refusal::Table {
+            PlanError::Lens(problem) => Refusal::Table {
                 name: self.name.clone(),
                 problem,
             },
@@ -141,7 +141,7 @@ impl State {
         &self.table
     }
 
-    /// Why the radius cannot be changed, if it cannot.
+    /// Why the radius is fixed and how to free it, if it is.
     pub fn held_radius(&self) -> Option<String> {
         let radius = self.table.only_radius()?;
         let start = &self.start.1;
@@ -156,8 +156,8 @@ impl State {
         Some(format!("{name} holds r = {radius} only: {way_out}"))
     }
 
-    /// Takes over what of the changed settings can be drawn and puts the rest back to what it was. Returns
-    /// why, if something was put back.
+    /// Keeps the changes of the settings that can be drawn and reverts the others. Returns the reason if something
+    /// was reverted.
     pub fn settle(&mut self) -> Option<String> {
         if self.settings == self.drawable {
             return None;
@@ -170,7 +170,7 @@ impl State {
         refusal.map(|refusal| self.in_words(&refusal))
     }
 
-    /// The settings with those numbers put back that cannot be drawn with.
+    /// The settings, in which the numbers that cannot be drawn are reverted.
     fn mended(&self) -> Settings {
         let mut mended = self.settings.clone();
         for part in Settings::PARTS {
@@ -191,11 +191,11 @@ impl State {
         held.unwrap_or_else(|| refusal.to_string())
     }
 
-    /// Draws with another table from now on. If it has one row only, of another radius, the camera goes
-    /// there. Returns what to say.
+    /// Replaces the table. If the new one has only one row, for another radius, the camera moves there. Returns a
+    /// message.
     ///
     /// # Errors
-    /// [`Refusal`] if it cannot be drawn with; then nothing changes.
+    /// [`Refusal`] if the table cannot be used; then nothing changes.
     pub fn take_table(&mut self, table: NamedTable) -> Result<String, Refusal> {
         self.settle();
         let mut settings = self.drawable.clone();
@@ -218,8 +218,8 @@ impl State {
         Ok(said)
     }
 
-    /// Goes back to the settings of the start, except for panel and help. If the table in use does not serve
-    /// them, it goes back to the table of the start too, and returns what to say about that.
+    /// Resets the settings to the start, except for panel and help. If the table in use has no row for them,
+    /// resets the table too, and returns a message about that.
     pub fn reset(&mut self) -> Option<String> {
         let (start, table) = self.start.clone();
         let left = self.table.draws(&start).is_err();
@@ -244,11 +244,11 @@ impl State {
         self.settings = settings;
     }
 
-    /// What a window of `window` pixels shows, drawn in `scale` pixels for each of them each way: what was
-    /// settled last.
+    /// The plan of the settings that were kept last, for a window of `window` pixels, with `scale` pixels of the
+    /// picture per pixel of the window along each side.
     ///
     /// # Errors
-    /// [`Refusal::View`] if no picture has so many pixels.
+    /// [`Refusal::View`] if the picture would have too many pixels.
     pub fn plan(&self, window: [u32; 2], scale: f64) -> Result<Plan, Refusal> {
         self.table.plan(&self.drawable, window, scale)
     }

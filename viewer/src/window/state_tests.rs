@@ -1,31 +1,31 @@
-//! Whatever keys, mouse, panel and dropped tables do: there is a picture, nothing stirs at rest, and Home
-//! leads back to the start.
+//! Property tests of the state: after any sequence of keys, mouse and panel input and dropped tables there is a
+//! picture, no frame is due at rest, and Home leads back to the start.
 
-use super::controls::{Facts, controls};
-use super::keys::{Change, Drive};
+use super::controls::{PanelInfo, controls};
+use super::keys::{Change, Movement};
 use super::motion;
 
 use super::settings::Settings;
 use super::state::{NamedTable, State};
-use crate::camera::{MAX_RADIUS, View};
 use egui::{Context, Pos2, RawInput, Rect, vec2};
+use lensbake_render::camera::{MAX_RADIUS, View};
 use lensbake_tables::{Axis, Header, Measured, Rows, Solver, Table, default_atlas};
-use lensbake_tests::one_row;
+use lensbake_test_support::one_row;
 use proptest::prelude::*;
 use std::sync::LazyLock;
 
-const DRIVES: [Drive; 8] = [
-    Drive::LookUp,
-    Drive::LookDown,
-    Drive::LookLeft,
-    Drive::LookRight,
-    Drive::Nearer,
-    Drive::Farther,
-    Drive::OrbitLeft,
-    Drive::OrbitRight,
+const MOVEMENTS: [Movement; 8] = [
+    Movement::LookUp,
+    Movement::LookDown,
+    Movement::LookLeft,
+    Movement::LookRight,
+    Movement::Nearer,
+    Movement::Farther,
+    Movement::OrbitLeft,
+    Movement::OrbitRight,
 ];
 
-/// Tables to drop: of all observers, of one each, and two that nothing can be drawn with.
+/// Tables to drop: the atlas, three of one observer each, and two that cannot be used.
 static TABLES: LazyLock<[Table; 6]> = LazyLock::new(|| {
     [
         default_atlas().clone(),
@@ -39,10 +39,10 @@ static TABLES: LazyLock<[Table; 6]> = LazyLock::new(|| {
         }),
     ]
 });
-/// Those of them that can be drawn with.
+/// How many of the tables, from the first on, can be used.
 const USABLE: usize = 4;
 
-/// A table of the observer at infinity, who is no camera.
+/// A table of the observer at infinity, where there can be no camera.
 fn far(axis: Axis) -> Table {
     let header = Header {
         axis,
@@ -63,15 +63,15 @@ fn named(index: usize) -> NamedTable {
     NamedTable::new(TABLES[index].clone(), format!("/folder/table-{index}.lbt"))
 }
 
-/// What a person may do.
+/// What a user may do.
 #[derive(Debug, Clone)]
-enum Deed {
-    Hold(Drive, f64),
+enum UserInput {
+    Hold(Movement, f64),
     Press(Change),
     Drag(f64, f64),
     RightDrag(f64, f64),
     Scroll(f64),
-    /// Any number in any field of the panel, also in those that it does not have.
+    /// Any number in any setting, whether or not the panel has a field for it.
     Type(usize, f64),
     Drop(usize),
     Home,
@@ -89,21 +89,21 @@ fn number() -> impl Strategy<Value = f64> {
     ]
 }
 
-fn deed() -> impl Strategy<Value = Deed> {
+fn user_input() -> impl Strategy<Value = UserInput> {
     let pixels = || -1e4..1e4;
     prop_oneof![
-        3 => (0..DRIVES.len(), 0.0..20.0).prop_map(|(drive, s)| Deed::Hold(DRIVES[drive], s)),
-        3 => (0..Change::ALL.len()).prop_map(|i| Deed::Press(Change::ALL[i])),
-        1 => (pixels(), pixels()).prop_map(|(x, y)| Deed::Drag(x, y)),
-        1 => (pixels(), pixels()).prop_map(|(x, y)| Deed::RightDrag(x, y)),
-        2 => (-200.0..200.0).prop_map(Deed::Scroll),
-        4 => (0..Settings::PARTS.len(), number()).prop_map(|(part, x)| Deed::Type(part, x)),
-        3 => (0..TABLES.len()).prop_map(Deed::Drop),
-        1 => Just(Deed::Home),
+        3 => (0..MOVEMENTS.len(), 0.0..20.0).prop_map(|(movement, s)| UserInput::Hold(MOVEMENTS[movement], s)),
+        3 => (0..Change::ALL.len()).prop_map(|i| UserInput::Press(Change::ALL[i])),
+        1 => (pixels(), pixels()).prop_map(|(x, y)| UserInput::Drag(x, y)),
+        1 => (pixels(), pixels()).prop_map(|(x, y)| UserInput::RightDrag(x, y)),
+        2 => (-200.0..200.0).prop_map(UserInput::Scroll),
+        4 => (0..Settings::PARTS.len(), number()).prop_map(|(part, x)| UserInput::Type(part, x)),
+        3 => (0..TABLES.len()).prop_map(UserInput::Drop),
+        1 => Just(UserInput::Home),
     ]
 }
 
-/// Any start that the flags allow, with a table that serves it.
+/// Any initial state that the flags allow, with a table that can be used for it.
 fn start() -> impl Strategy<Value = State> {
     let radius = (-12.0..MAX_RADIUS.log10()).prop_map(|power| 1.0 + 10f64.powf(power) * 0.999);
     let fov_deg = prop_oneof![1e-4..179.9, Just(1e-4), Just(179.9)];
@@ -123,7 +123,7 @@ fn start() -> impl Strategy<Value = State> {
     })
 }
 
-/// Settings all of whose numbers are `x`.
+/// Settings in which all numbers are `x`.
 fn all_numbers(settings: &Settings, x: f64) -> Settings {
     Settings {
         view: View {
@@ -144,19 +144,19 @@ fn all_numbers(settings: &Settings, x: f64) -> Settings {
     }
 }
 
-fn act(state: &mut State, deed: &Deed) {
+fn act(state: &mut State, action: &UserInput) {
     let settings = &mut state.settings;
-    match *deed {
-        Deed::Hold(drive, seconds) => drive.steer(&mut settings.view, seconds),
-        Deed::Press(change) => settings.change(change),
-        Deed::Drag(x, y) => motion::look(&mut settings.view, x, y),
-        Deed::RightDrag(x, y) => motion::orbit(&mut settings.view, x, y),
-        Deed::Scroll(notches) => motion::scroll(&mut settings.view, notches),
-        Deed::Type(part, x) => {
+    match *action {
+        UserInput::Hold(movement, seconds) => movement.steer(&mut settings.view, seconds),
+        UserInput::Press(change) => settings.change(change),
+        UserInput::Drag(x, y) => motion::look(&mut settings.view, x, y),
+        UserInput::RightDrag(x, y) => motion::orbit(&mut settings.view, x, y),
+        UserInput::Scroll(notches) => motion::scroll(&mut settings.view, notches),
+        UserInput::Type(part, x) => {
             let typed = all_numbers(settings, x);
             Settings::PARTS[part](settings, &typed);
         }
-        Deed::Drop(table) => {
+        UserInput::Drop(table) => {
             let before = state.clone();
             match state.take_table(named(table)) {
                 Ok(said) => assert!(table < USABLE && said.contains(&format!("table-{table}"))),
@@ -166,12 +166,12 @@ fn act(state: &mut State, deed: &Deed) {
                 }
             }
         }
-        Deed::Home => drop(state.reset()),
+        UserInput::Home => drop(state.reset()),
     }
 }
 
-fn facts(state: &State) -> Facts {
-    Facts {
+fn facts(state: &State) -> PanelInfo {
+    PanelInfo {
         skies: (vec!["grid".into(), "nebula".into()], 0),
         interval: None,
         picture_time: None,
@@ -185,7 +185,7 @@ fn facts(state: &State) -> Facts {
     }
 }
 
-/// A frame without a GPU, in which nobody touches the panel; true if it asks for another.
+/// Runs a frame without a GPU and without input; true if it asks for another.
 fn frame(state: &mut State, context: &Context) -> bool {
     state.settle();
     for window in [[1, 1], [16_384, 2], [3, 16_384], [640, 360]] {
@@ -205,7 +205,7 @@ fn frame(state: &mut State, context: &Context) -> bool {
     state.settle().is_some() || state.settings != drawn
 }
 
-/// The settings without what Home leaves as it is.
+/// The settings without panel and help, which Home leaves as they are.
 fn but_for_the_panel(settings: &Settings) -> Settings {
     Settings {
         panel: false,
@@ -218,33 +218,33 @@ proptest! {
     #[test]
     fn every_state_is_drawn_rests_and_is_left_again(
         first in start(),
-        deeds in prop::collection::vec(prop::collection::vec(deed(), 0..3), 1..12),
+        actions in prop::collection::vec(prop::collection::vec(user_input(), 0..3), 1..12),
     ) {
         let context = Context::default();
         let mut state = first.clone();
         prop_assert!(!frame(&mut state, &context), "{:?}", state.settings);
         prop_assert_eq!(&state.settings, &first.settings);
-        for deeds in deeds {
-            deeds.iter().for_each(|deed| act(&mut state, deed));
+        for actions in actions {
+            actions.iter().for_each(|action| act(&mut state, action));
             let wanted = state.settings.clone();
             let said = state.settle();
-            // What is put back is numbers, and only if something is said of it.
+            // Only numbers are reverted, and only with a message.
             let mut expected = wanted.clone();
             for part in Settings::PARTS.iter().filter(|_| said.is_some()) {
                 part(&mut expected, &state.settings);
             }
             prop_assert_eq!(&state.settings, &expected);
-            prop_assert!(!frame(&mut state, &context), "{deeds:?}: {:?}", state.settings);
+            prop_assert!(!frame(&mut state, &context), "{actions:?}: {:?}", state.settings);
         }
         state.reset();
         let home = but_for_the_panel(&state.settings);
         prop_assert_eq!(&home, &but_for_the_panel(&first.settings));
         prop_assert!(!frame(&mut state, &context));
-        // From there the keys lead on, unless the table at the start holds the radius.
+        // From there the keys move the camera, unless the table at the start fixes the radius.
         if state.held_radius().is_none() {
             let before = state.settings.view.radius;
-            let moved = [Drive::Nearer, Drive::Farther].map(|drive| {
-                drive.steer(&mut state.settings.view, 0.1);
+            let moved = [Movement::Nearer, Movement::Farther].map(|movement| {
+                movement.steer(&mut state.settings.view, 0.1);
                 state.settle().is_none() && state.settings.view.radius != before
             });
             prop_assert!(moved.contains(&true));
@@ -269,9 +269,9 @@ fn a_table_of_one_row_takes_the_camera_there_and_holds_it_until_home() {
         "{said}"
     );
     assert_eq!(state.settings.view.radius, 10.0);
-    // Two keys at once: the one that cannot be obeyed does not stop the other.
-    Drive::Nearer.steer(&mut state.settings.view, 0.1);
-    Drive::LookUp.steer(&mut state.settings.view, 0.1);
+    // Two keys at once: the reverted one does not stop the other.
+    Movement::Nearer.steer(&mut state.settings.view, 0.1);
+    Movement::LookUp.steer(&mut state.settings.view, 0.1);
     let said = state.settle().unwrap();
     for words in ["table-1.lbt holds r = 10.00 only", "Home for table-0.lbt"] {
         assert!(said.contains(words), "{said}");
@@ -312,7 +312,7 @@ fn what_cannot_be_drawn_is_named() {
         (10, f64::NAN, "frame time NaN"),
     ] {
         let before = state.settings.clone();
-        act(&mut state, &Deed::Type(part, x));
+        act(&mut state, &UserInput::Type(part, x));
         let said = state.settle().unwrap();
         assert!(said.contains(words), "{said}");
         assert_eq!(state.settings, before);

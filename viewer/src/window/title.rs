@@ -1,8 +1,8 @@
-//! The title bar: what is seen.
+//! Text of the title bar.
 
 use super::settings::Settings;
 
-/// The title of a window before the sky of this name.
+/// The title of a window with the sky of this name.
 pub fn title(sky: &str, settings: &Settings) -> String {
     let who = match settings.deflection {
         true => settings.comparison.name(),
@@ -15,7 +15,7 @@ pub fn title(sky: &str, settings: &Settings) -> String {
     )
 }
 
-/// A radius as a person reads it: two decimals, and near the horizon two digits of r − 1.
+/// A radius with two decimals; near the horizon with two significant digits of r − 1.
 pub fn radius(radius: f64) -> String {
     let places = 1.0 - (radius - 1.0).log10().floor();
     format!("{radius:.*}", places.clamp(2.0, 17.0) as usize)

@@ -1,0 +1,380 @@
+//! The camera: the view direction of each pixel.
+//!
+//! Three frames, all right-handed with +Y up. In the *sky* frame the hole is at the origin. In the *hole* frame
+//! the camera is at the origin and the hole lies along −Z, so that the view angle θ of a unit direction, measured
+//! from the hole, has cos θ = −z and sin θ = √(x² + y²). In the *camera* frame −Z is the centre of the picture.
+
+use glam::{DMat3, DVec2, DVec3};
+use lensbake_core::{CoreError, Observer};
+use std::f64::consts::PI;
+use thiserror::Error;
+
+/// Largest width and height of a picture, pixels.
+pub const MAX_SIDE: u32 = 16_384;
+
+/// Why a [`View`] makes no [`Camera`].
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum CameraError {
+    /// The radius is not above 1, or too large to compute with.
+    #[error("{0}")]
+    Radius(#[from] CoreError),
+    /// The radius is above [`MAX_RADIUS`]. An observer at infinity would see the hole as a point.
+    #[error("radius {0} is too far: a camera's radius must be at most {MAX_RADIUS:e}")]
+    TooFar(f64),
+    /// The field of view is not between 0° and 180°.
+    #[error("field of view {0} is not between 0 and 180 degrees (both excluded)")]
+    FieldOfView(f64),
+    /// An angle is not finite.
+    #[error("{what} {degrees} is not an angle in degrees")]
+    Angle {
+        /// Name of the angle.
+        what: &'static str,
+        /// The given value, degrees.
+        degrees: f64,
+    },
+    /// The picture size is out of range.
+    #[error("picture size {width}x{height} is not from 1x1 to {MAX_SIDE}x{MAX_SIDE} pixels")]
+    Size {
+        /// The given width, pixels.
+        width: u32,
+        /// The given height, pixels.
+        height: u32,
+    },
+}
+
+/// Largest radius of a camera, units of r_s: the shadow's angular radius is 2.6e-6 rad there, which f32 still
+/// resolves.
+pub const MAX_RADIUS: f64 = 1e6;
+
+/// Position, orientation and picture size of a camera as a user gives them. Angles are in degrees.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct View {
+    /// Radius in units of r_s, above 1.
+    pub radius: f64,
+    /// Longitude of the camera around the hole. At 0 the direction to the hole is −Z of the sky frame.
+    pub orbit_deg: f64,
+    /// Latitude of the camera around the hole.
+    pub latitude_deg: f64,
+    /// Rotation of the view to the right, away from the hole.
+    pub yaw_deg: f64,
+    /// Rotation of the view upwards, away from the hole.
+    pub pitch_deg: f64,
+    /// Clockwise roll of the camera.
+    pub roll_deg: f64,
+    /// Horizontal field of view.
+    pub fov_deg: f64,
+    /// Width of the picture, pixels.
+    pub width: u32,
+    /// Height of the picture, pixels.
+    pub height: u32,
+}
+
+impl Default for View {
+    /// The first view of the 2022 report (bholetrace): r = 25, field of view 90°, looking at the hole.
+    fn default() -> Self {
+        View {
+            radius: 25.0,
+            orbit_deg: 0.0,
+            latitude_deg: 0.0,
+            yaw_deg: 0.0,
+            pitch_deg: 0.0,
+            roll_deg: 0.0,
+            fov_deg: 90.0,
+            width: 1920,
+            height: 1080,
+        }
+    }
+}
+
+/// A camera: a checked [`View`] as vectors.
+///
+/// ```
+/// use lensbake_render::camera::{Camera, View, ViewAngle};
+///
+/// let camera = Camera::new(&View { radius: 10.0, ..View::default() }).unwrap();
+/// // The picture's centre looks at the hole.
+/// assert!(ViewAngle::of(camera.forward).sin < 1e-12);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Camera {
+    /// The static observer at the camera's position.
+    pub observer: Observer,
+    /// Width, pixels.
+    pub width: u32,
+    /// Height, pixels.
+    pub height: u32,
+    /// Change of the view direction from one pixel to the next on its right, in the hole frame.
+    pub right: DVec3,
+    /// Change of the view direction from one pixel to the next below, in the hole frame.
+    pub down: DVec3,
+    /// View direction of the picture's centre in the hole frame, length 1.
+    pub forward: DVec3,
+    /// Rotation from the hole frame to the sky frame.
+    pub sky_from_hole: DMat3,
+}
+
+impl Camera {
+    /// The camera of a view.
+    ///
+    /// # Errors
+    /// [`CameraError`] if a value of the view is out of range.
+    pub fn new(view: &View) -> Result<Self, CameraError> {
+        let observer = Observer::at(view.radius)?;
+        if view.radius > MAX_RADIUS {
+            return Err(CameraError::TooFar(view.radius));
+        }
+        if !(view.fov_deg > 0.0 && view.fov_deg < 180.0) {
+            return Err(CameraError::FieldOfView(view.fov_deg));
+        }
+        let (width, height) = (view.width, view.height);
+        if !(1..=MAX_SIDE).contains(&width) || !(1..=MAX_SIDE).contains(&height) {
+            return Err(CameraError::Size { width, height });
+        }
+        let angle = |what, degrees: f64| {
+            if degrees.is_finite() {
+                Ok(degrees.to_radians())
+            } else {
+                Err(CameraError::Angle { what, degrees })
+            }
+        };
+        let hole_from_camera = DMat3::from_rotation_y(-angle("yaw", view.yaw_deg)?)
+            * DMat3::from_rotation_x(angle("pitch", view.pitch_deg)?)
+            * DMat3::from_rotation_z(-angle("roll", view.roll_deg)?);
+        let sky_from_hole = DMat3::from_rotation_y(angle("orbit", view.orbit_deg)?)
+            * DMat3::from_rotation_x(-angle("latitude", view.latitude_deg)?);
+        let pixel = 2.0 * (0.5 * view.fov_deg.to_radians()).tan() / f64::from(width);
+        Ok(Camera {
+            observer,
+            width,
+            height,
+            right: hole_from_camera.x_axis * pixel,
+            down: -hole_from_camera.y_axis * pixel,
+            forward: -hole_from_camera.z_axis,
+            sky_from_hole,
+        })
+    }
+
+    /// The same camera with each pixel divided into `side` × `side` pixels.
+    pub fn refined(&self, side: u32) -> Self {
+        let part = 1.0 / f64::from(side);
+        Camera {
+            width: self.width * side,
+            height: self.height * side,
+            right: self.right * part,
+            down: self.down * part,
+            ..*self
+        }
+    }
+
+    /// Number of pixels.
+    pub fn pixels(&self) -> usize {
+        self.width as usize * self.height as usize
+    }
+
+    /// The centre of pixel (column, row), row 0 at the top, in pixels from the centre of the picture.
+    pub fn position(&self, column: u32, row: u32) -> DVec2 {
+        DVec2::new(
+            f64::from(column) + 0.5 - 0.5 * f64::from(self.width),
+            f64::from(row) + 0.5 - 0.5 * f64::from(self.height),
+        )
+    }
+
+    /// The view direction at `at`, in pixels from the centre of the picture; in the hole frame, not normalised.
+    pub fn ray(&self, at: DVec2) -> DVec3 {
+        self.forward + self.right * at.x + self.down * at.y
+    }
+
+    /// The unit view direction of the centre of pixel (column, row), row 0 at the top, in the hole frame.
+    pub fn direction(&self, column: u32, row: u32) -> DVec3 {
+        self.ray(self.position(column, row)).normalize()
+    }
+
+    /// Projects `direction`, in the hole frame, to pixels from the picture's top left corner. The result may lie
+    /// outside the picture. `None` unless the direction points ahead of the camera.
+    pub fn project(&self, direction: DVec3) -> Option<DVec2> {
+        let ahead = direction.dot(self.forward);
+        let along = |step: DVec3, side: u32| {
+            direction.dot(step) / (ahead * step.length_squared()) + 0.5 * f64::from(side)
+        };
+        (ahead > 0.0)
+            .then(|| DVec2::new(along(self.right, self.width), along(self.down, self.height)))
+    }
+
+    /// The pixel (column, row) that contains `direction`, in the hole frame; `None` outside the picture.
+    pub fn pixel(&self, direction: DVec3) -> Option<(u32, u32)> {
+        let position = self.project(direction)?;
+        let size = DVec2::new(self.width.into(), self.height.into());
+        let inside = position.cmpge(DVec2::ZERO).all() && position.cmplt(size).all();
+        inside.then_some((position.x as u32, position.y as u32))
+    }
+
+    /// |dθ/d pixel| at pixel (column, row), rad: the size of the view angle's gradient.
+    pub fn view_angle_gradient(&self, column: u32, row: u32) -> f64 {
+        let ray = self.ray(self.position(column, row));
+        let direction = ray.normalize();
+        let view_angle = ViewAngle::of(direction);
+        if view_angle.sin == 0.0 {
+            return self.right.length();
+        }
+        // The unit vector along which θ grows: away from the hole.
+        let away =
+            (direction.truncate() * (view_angle.cos / view_angle.sin)).extend(view_angle.sin);
+        (self.right.dot(away) / ray.length()).hypot(self.down.dot(away) / ray.length())
+    }
+}
+
+/// The view angle θ, between a direction and the direction of the hole, as its cosine and sine.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ViewAngle {
+    /// cos θ.
+    pub cos: f64,
+    /// sin θ, at least 0.
+    pub sin: f64,
+}
+
+impl ViewAngle {
+    /// The view angle of a unit direction in the hole frame. sin θ is computed from x and y: √(1 − cos² θ) would
+    /// lose precision near 0 and π.
+    pub fn of(direction: DVec3) -> Self {
+        ViewAngle {
+            cos: -direction.z,
+            sin: direction.x.hypot(direction.y),
+        }
+    }
+
+    /// θ, rad.
+    pub fn radians(&self) -> f64 {
+        self.sin.atan2(self.cos).clamp(0.0, PI)
+    }
+
+    /// Rotates `direction`, whose view angle is `self`, to the view angle `to`, in the plane through it and the
+    /// hole.
+    pub fn turn(&self, direction: DVec3, to: ViewAngle) -> DVec3 {
+        let scale = to.sin / self.sin.max(1e-300);
+        DVec3::new(direction.x * scale, direction.y * scale, -to.cos)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn camera(change: impl FnOnce(&mut View)) -> Camera {
+        let mut view = View {
+            width: 101,
+            height: 51,
+            ..View::default()
+        };
+        change(&mut view);
+        Camera::new(&view).unwrap()
+    }
+
+    #[test]
+    fn the_middle_looks_at_the_hole_and_the_corners_span_the_field_of_view() {
+        let camera = camera(|_| ());
+        assert!((camera.direction(50, 25) - DVec3::NEG_Z).length() < 1e-15);
+        let left = camera.ray(camera.position(0, 25)) - camera.right * 0.5;
+        assert!((left.normalize().dot(DVec3::NEG_Z).acos() - PI / 4.0).abs() < 1e-12);
+        assert!(camera.direction(100, 25).x > 0.0, "right is +X");
+        assert!(camera.direction(50, 0).y > 0.0, "the top is +Y");
+    }
+
+    #[test]
+    fn a_pixel_is_found_again_by_its_direction() {
+        let camera = camera(|v| {
+            v.yaw_deg = 100.0;
+            v.pitch_deg = 20.0;
+            v.roll_deg = 30.0;
+        });
+        for (column, row) in [(0, 0), (100, 0), (3, 50), (50, 25)] {
+            let direction = camera.direction(column, row);
+            assert_eq!(camera.pixel(direction), Some((column, row)));
+            assert_eq!(camera.pixel(-direction), None);
+        }
+        assert_eq!(camera.pixel(DVec3::NEG_Z), None, "the hole is behind");
+    }
+
+    #[test]
+    fn yaw_turns_right_and_pitch_turns_up() {
+        let right = camera(|v| v.yaw_deg = 90.0).direction(50, 25);
+        assert!((right - DVec3::X).length() < 1e-12, "{right}");
+        let up = camera(|v| v.pitch_deg = 90.0).direction(50, 25);
+        assert!((up - DVec3::Y).length() < 1e-12, "{up}");
+    }
+
+    #[test]
+    fn the_hole_stays_ahead_wherever_the_camera_orbits() {
+        let camera = camera(|v| {
+            v.orbit_deg = 70.0;
+            v.latitude_deg = 30.0;
+        });
+        // Seen from the hole, the camera lies along +Z of the hole frame.
+        let place = camera.sky_from_hole * DVec3::Z;
+        let (orbit, latitude) = (70f64.to_radians(), 30f64.to_radians());
+        let expected = DVec3::new(
+            latitude.cos() * orbit.sin(),
+            latitude.sin(),
+            latitude.cos() * orbit.cos(),
+        );
+        assert!((place - expected).length() < 1e-12);
+    }
+
+    #[test]
+    fn the_gradient_of_the_view_angle_is_its_difference() {
+        let camera = camera(|v| {
+            v.yaw_deg = 20.0;
+            v.pitch_deg = -10.0;
+            v.width = 4001;
+            v.height = 2001;
+        });
+        let angle = |c, r| ViewAngle::of(camera.direction(c, r)).radians();
+        for (c, r) in [(100, 100), (3000, 500), (2000, 1999), (50, 1500)] {
+            let across = 0.5 * (angle(c + 1, r) - angle(c - 1, r));
+            let along = 0.5 * (angle(c, r + 1) - angle(c, r - 1));
+            let gradient = camera.view_angle_gradient(c, r);
+            assert!((gradient / across.hypot(along) - 1.0).abs() < 1e-5);
+        }
+    }
+
+    #[test]
+    fn what_is_no_camera_is_refused() {
+        let refused = |change: fn(&mut View)| {
+            let mut view = View::default();
+            change(&mut view);
+            Camera::new(&view).unwrap_err()
+        };
+        assert!(matches!(
+            refused(|v| v.radius = 1.0),
+            CameraError::Radius(_)
+        ));
+        assert!(matches!(
+            refused(|v| v.radius = f64::NAN),
+            CameraError::Radius(_)
+        ));
+        assert!(matches!(
+            refused(|v| v.radius = 1e7),
+            CameraError::TooFar(_)
+        ));
+        assert!(matches!(
+            refused(|v| v.fov_deg = 0.0),
+            CameraError::FieldOfView(_)
+        ));
+        assert!(matches!(
+            refused(|v| v.fov_deg = 180.0),
+            CameraError::FieldOfView(_)
+        ));
+        assert!(matches!(
+            refused(|v| v.fov_deg = f64::NAN),
+            CameraError::FieldOfView(_)
+        ));
+        assert!(matches!(refused(|v| v.width = 0), CameraError::Size { .. }));
+        assert!(matches!(
+            refused(|v| v.height = 1 << 20),
+            CameraError::Size { .. }
+        ));
+        assert!(matches!(
+            refused(|v| v.yaw_deg = f64::INFINITY),
+            CameraError::Angle { .. }
+        ));
+    }
+}

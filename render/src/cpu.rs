@@ -1,0 +1,82 @@
+//! The CPU renderer in f64, parallel over rows of pixels: the reference for the GPU renderer.
+
+use crate::camera::Camera;
+use crate::filter::FilteredPixels;
+use crate::lens::Lens;
+use crate::picture::Picture;
+use crate::scene::{Sampling, Scene};
+use crate::sky::Sky;
+use crate::stars;
+use glam::{DVec3, Vec3};
+use lensbake_core::RayOutcome;
+use rayon::prelude::*;
+
+/// Draws `scene`. `row_done` is called after each row of pixels.
+///
+/// ```
+/// use lensbake_render::camera::{Camera, View};
+/// use lensbake_render::lens::{Deflection, Lens};
+/// use lensbake_render::scene::{Sampling, Scene};
+/// use lensbake_render::{cpu, sky};
+/// use lensbake_tables::default_atlas;
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let view = View { width: 64, height: 36, ..View::default() };
+/// let lens = Lens::new(Camera::new(&view)?, default_atlas(), Deflection::Lut)?;
+/// let scene = Scene::new(lens, sky::load(&sky::SkySource::Grid)?).with_sampling(Sampling::Filtered);
+/// let picture = cpu::render(&scene, || ());
+/// assert_eq!(picture.pixels().len(), 64 * 36);
+/// # Ok(())
+/// # }
+/// ```
+pub fn render(scene: &Scene, row_done: impl Fn() + Sync) -> Picture {
+    let (lens, sky) = (&scene.lens, scene.sky.as_ref());
+    let camera = &lens.camera;
+    let filtered = FilteredPixels::new(lens);
+    let pixels = by_pixel(camera, row_done, |column, row| match scene.sampling {
+        Sampling::Single => single(lens, sky, camera.direction(column, row)).to_array(),
+        Sampling::Filtered => filtered.light(sky, column, row).truncate().to_array(),
+    });
+    let mut picture = Picture::new(camera.width, camera.height, pixels);
+    if let Some(field) = &scene.stars {
+        stars::draw(&mut picture, lens, field);
+    }
+    picture
+}
+
+/// The light of the single ray with the unit view `direction`, in the hole frame.
+fn single(lens: &Lens, sky: &Sky, direction: DVec3) -> Vec3 {
+    match lens.ray(direction) {
+        RayOutcome::Captured => Vec3::ZERO,
+        RayOutcome::Escapes(ray) => {
+            sky.sample((lens.camera.sky_from_hole * ray.direction).as_vec3())
+        }
+    }
+}
+
+/// Traces the ray of each pixel's centre: unit directions on the sky in the hole frame, row-major
+/// `[height][width]`. `row_done` is called after each row of pixels.
+pub fn trace(lens: &Lens, row_done: impl Fn() + Sync) -> Vec<RayOutcome<DVec3>> {
+    let camera = &lens.camera;
+    by_pixel(camera, row_done, |column, row| {
+        lens.ray(camera.direction(column, row))
+            .map(|ray| ray.direction)
+    })
+}
+
+/// Calls `f` with the (column, row) of every pixel, rows in parallel. Returns the results row-major,
+/// `[height][width]`. `row_done` is called after each row of pixels.
+pub fn by_pixel<T: Send>(
+    camera: &Camera,
+    row_done: impl Fn() + Sync,
+    f: impl Fn(u32, u32) -> T + Sync,
+) -> Vec<T> {
+    (0..camera.height)
+        .into_par_iter()
+        .flat_map(|row| {
+            let pixels: Vec<T> = (0..camera.width).map(|column| f(column, row)).collect();
+            row_done();
+            pixels
+        })
+        .collect()
+}

@@ -1,0 +1,259 @@
+//! Filtered sampling: the light of a pixel averaged over its area. Reference of `shaders/filter.wgsl`.
+//!
+//! Away from the shadow's edge (the critical curve of the lens) a pixel takes one ray and averages the sky over
+//! its footprint. Near the edge the footprint changes within the pixel (at δ pixels from the edge it is 1/δ rad
+//! long, at any picture size) and infinitely many images of the sky crowd together. Such pixels are divided into
+//! 3 × 3 patches, each with one ray and its own footprint. The distance to the edge gives the part of a patch that
+//! lies in the shadow, and the ray goes through the middle of the other part.
+
+use crate::footprint::Patch;
+use crate::lens::Lens;
+use crate::shadow::Shadow;
+use crate::sky::Sky;
+use glam::{DVec2, DVec3, Vec3, Vec4};
+use lensbake_core::RayOutcome;
+
+/// Rays per side of a pixel near the shadow's edge.
+pub(crate) const SUB_RAYS: u32 = 3;
+/// Most taps along the long axis of a footprint, for the only ray of a pixel.
+pub(crate) const MAX_TAPS: u32 = 16;
+/// Most taps along the long axis of a footprint, for each ray of a pixel near the shadow's edge.
+pub(crate) const MAX_TAPS_BESIDE_EDGE: u32 = 8;
+/// A pixel takes 3 × 3 rays up to this distance outside the shadow's edge, in pixels.
+pub(crate) const NEAR_OUTSIDE: f64 = 3.0;
+/// A pixel takes 3 × 3 rays up to this distance inside the shadow's edge, in pixels.
+pub(crate) const NEAR_INSIDE: f64 = 1.0;
+
+/// The work of the most expensive pixel of a tile, in ascending order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum TileClass {
+    /// One bilinear tap, or none: the sky is magnified, or the pixels are in the shadow.
+    OneTap,
+    /// One ray per pixel, with taps along its footprint.
+    OneRay,
+    /// 3 × 3 rays for some pixels, which are near the shadow's edge.
+    ManyRays,
+}
+
+/// How a pixel is sampled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// In the shadow: black.
+    Shadow,
+    /// Near the shadow's edge: 3 × 3 rays.
+    Edge,
+    /// One ray, filtered over its footprint.
+    Sky,
+}
+
+/// The filtered pixels of the picture through a lens.
+#[derive(Debug, Clone, Copy)]
+pub struct FilteredPixels<'a> {
+    lens: &'a Lens,
+    shadow: Shadow,
+}
+
+impl<'a> FilteredPixels<'a> {
+    /// The filtered pixels of the picture through `lens`.
+    pub fn new(lens: &'a Lens) -> Self {
+        FilteredPixels {
+            lens,
+            shadow: Shadow::of(lens),
+        }
+    }
+
+    /// The light of pixel (column, row) from `sky`. RGB is linear and premultiplied by alpha, the share of the
+    /// pixel's area that sees the sky.
+    pub fn light(&self, sky: &Sky, column: u32, row: u32) -> Vec4 {
+        let at = self.lens.camera.position(column, row);
+        let whole = self.patch(at, 1.0);
+        match self.kind(&whole) {
+            Kind::Shadow => Vec4::ZERO,
+            Kind::Sky => self.sky_light(sky, &whole, MAX_TAPS),
+            Kind::Edge => self.edge_light(sky, at),
+        }
+    }
+
+    /// Signed distance of the centre of pixel (column, row) from the shadow's edge, in pixels, positive outside.
+    pub fn edge_distance(&self, column: u32, row: u32) -> f64 {
+        let whole = self.patch(self.lens.camera.position(column, row), 1.0);
+        self.shadow.distance(whole.view_angle) / whole.gradient()
+    }
+
+    /// Number of rays of pixel (column, row) beyond the first.
+    pub fn extra_rays(&self, column: u32, row: u32) -> u32 {
+        let at = self.lens.camera.position(column, row);
+        match self.kind(&self.patch(at, 1.0)) {
+            Kind::Edge => SUB_RAYS * SUB_RAYS - 1,
+            Kind::Shadow | Kind::Sky => 0,
+        }
+    }
+
+    /// The tile class that pixel (column, row) alone needs, with a sky of `face_texels`.
+    #[cfg(test)]
+    pub(crate) fn class_of(&self, column: u32, row: u32, face_texels: f64) -> TileClass {
+        let patch = self.patch(self.lens.camera.position(column, row), 1.0);
+        match (self.kind(&patch), self.lens.deflect(patch.view_angle)) {
+            (Kind::Edge, _) => TileClass::ManyRays,
+            (Kind::Sky, RayOutcome::Escapes(deflected)) => {
+                let footprint = patch
+                    .footprint(deflected)
+                    .in_frame(&self.lens.camera.sky_from_hole);
+                let taps = footprint.taps(face_texels, MAX_TAPS);
+                if taps.count == 1 && taps.level == 0.0 {
+                    TileClass::OneTap
+                } else {
+                    TileClass::OneRay
+                }
+            }
+            _ => TileClass::OneTap,
+        }
+    }
+
+    /// The square patch with sides of `side` pixels, centred on `at`, in pixels from the centre of the picture.
+    fn patch(&self, at: DVec2, side: f64) -> Patch {
+        let camera = &self.lens.camera;
+        Patch::new(camera.ray(at), camera.right * side, camera.down * side)
+    }
+
+    fn kind(&self, pixel: &Patch) -> Kind {
+        let (distance, px) = (self.shadow.distance(pixel.view_angle), pixel.gradient());
+        if distance < -NEAR_INSIDE * px {
+            Kind::Shadow
+        } else if distance < NEAR_OUTSIDE * px {
+            Kind::Edge
+        } else {
+            Kind::Sky
+        }
+    }
+
+    fn edge_light(&self, sky: &Sky, at: DVec2) -> Vec4 {
+        let side = 1.0 / f64::from(SUB_RAYS);
+        let offset = |i: u32| (f64::from(i) + 0.5) * side - 0.5;
+        let mut sum = Vec4::ZERO;
+        for (x, y) in (0..SUB_RAYS).flat_map(|y| (0..SUB_RAYS).map(move |x| (x, y))) {
+            let patch = self.patch(at + DVec2::new(offset(x), offset(y)), side);
+            let px = patch.gradient();
+            let part = self
+                .shadow
+                .sky_part(self.shadow.distance(patch.view_angle), px);
+            if part.covered > 0.0 {
+                let patch = patch.moved(part.shift * px, part.extent);
+                sum += part.covered as f32 * self.sky_light(sky, &patch, MAX_TAPS_BESIDE_EDGE);
+            }
+        }
+        sum / (SUB_RAYS * SUB_RAYS) as f32
+    }
+
+    /// The mean light over a patch that sees only sky, with alpha 1; 0 if its ray is captured.
+    fn sky_light(&self, sky: &Sky, patch: &Patch, most_taps: u32) -> Vec4 {
+        let RayOutcome::Escapes(deflected) = self.lens.deflect(patch.view_angle) else {
+            return Vec4::ZERO;
+        };
+        let footprint = patch
+            .footprint(deflected)
+            .in_frame(&self.lens.camera.sky_from_hole);
+        let taps = footprint.taps(sky.face_texels().into(), most_taps);
+        let sample = |direction: DVec3| sky.sample_level(direction.as_vec3(), taps.level as f32);
+        let sum: Vec3 = taps.directions(footprint.direction).map(sample).sum();
+        (sum / taps.count as f32).extend(1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::{Camera, View};
+    use crate::lens::Deflection;
+    use lensbake_tables::default_atlas;
+    use std::f64::consts::PI;
+
+    const SIDE: u32 = 41;
+
+    fn lens(view: View, method: Deflection) -> Lens {
+        Lens::new(Camera::new(&view).unwrap(), default_atlas(), method).unwrap()
+    }
+
+    /// A view of the smaller disc (the shadow, or the window of sky below the photon sphere): its radius is
+    /// `pixels`, and it is off centre by a fraction of a pixel.
+    fn disc_view(radius: f64, pixels: f64) -> View {
+        let edge = Camera::new(&View {
+            radius,
+            ..View::default()
+        })
+        .unwrap()
+        .observer
+        .shadow_angle();
+        let (disc, yaw_deg) = if edge < PI / 2.0 {
+            (edge, 0.0)
+        } else {
+            (PI - edge, 180.0)
+        };
+        let px = disc.tan() / pixels;
+        View {
+            radius,
+            yaw_deg: yaw_deg + (0.31 * px).to_degrees(),
+            pitch_deg: (0.17 * px).to_degrees(),
+            roll_deg: 30.0,
+            fov_deg: 2.0 * (0.5 * f64::from(SIDE) * px).atan().to_degrees(),
+            width: SIDE,
+            height: SIDE,
+            ..View::default()
+        }
+    }
+
+    /// With a white sky, the dark area is the shadow's area to a fraction of a pixel, whatever its size. The
+    /// bright area likewise is that of the window of a camera near the horizon.
+    #[test]
+    fn the_edge_covers_what_it_should() {
+        let white = Sky::from_fn(1, |_| Vec3::ONE);
+        let mut checked = 0;
+        for radius in [1.000001, 1.0001, 1000.0, 1e6] {
+            for pixels in [0.2, 0.5, 1.1, 4.3, 15.0] {
+                let lens = lens(disc_view(radius, pixels), Deflection::Lut);
+                let edge = lens.camera.observer.shadow_angle();
+                let all = FilteredPixels::new(&lens);
+                let sum: f64 = (0..SIDE * SIDE)
+                    .map(|i| all.light(&white, i % SIDE, i / SIDE))
+                    .map(|light| {
+                        assert!((light.x - light.w).abs() < 1e-5, "{light}");
+                        f64::from(if edge < PI / 2.0 {
+                            1.0 - light.w
+                        } else {
+                            light.w
+                        })
+                    })
+                    .sum();
+                let area = PI * pixels * pixels;
+                let allowed = 0.001 * area + 0.035;
+                assert!(
+                    (sum - area).abs() < allowed,
+                    "r {radius}, {pixels} px: {sum} for {area}"
+                );
+                checked += 1;
+            }
+        }
+        assert_eq!(checked, 20);
+    }
+
+    /// The dark area without deflection is that of the plain sphere.
+    #[test]
+    fn the_edge_of_the_plain_sphere_is_covered_too() {
+        let view = View {
+            radius: 4.0,
+            fov_deg: 60.0,
+            width: 64,
+            height: 36,
+            ..View::default()
+        };
+        let lens = lens(view, Deflection::Flat);
+        let white = Sky::from_fn(1, |_| Vec3::ONE);
+        let pixels = FilteredPixels::new(&lens);
+        let dark: f64 = (0..64 * 36)
+            .map(|i| 1.0 - f64::from(pixels.light(&white, i % 64, i / 64).w))
+            .sum();
+        // sin θ = 1/4: tan θ = 1/√15, and 32 px are tan 30°.
+        let radius = 32.0 * 3f64.sqrt() / 15f64.sqrt();
+        assert!((dark - PI * radius * radius).abs() < 0.3, "{dark}");
+    }
+}

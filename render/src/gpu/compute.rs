@@ -1,0 +1,58 @@
+//! Compute shaders and their pipelines.
+
+use super::bindings::bind_group_layout;
+use wgpu::*;
+
+/// A compute pipeline with all its bindings in group 0, and the layout of that group.
+#[derive(Debug)]
+pub(super) struct ComputeShader {
+    pub(super) layout: BindGroupLayout,
+    pub(super) pipeline: ComputePipeline,
+}
+
+impl ComputeShader {
+    /// Compiles the shader with this entry point. Too slow to do in a frame.
+    pub(super) fn new(
+        device: &Device,
+        entry_point: &str,
+        bindings: &[BindingType],
+        source: String,
+    ) -> Self {
+        let layout = bind_group_layout(device, entry_point, ShaderStages::COMPUTE, bindings);
+        let module = module(device, entry_point, source);
+        let pipeline = pipeline(device, entry_point, &[&layout], &module);
+        ComputeShader { layout, pipeline }
+    }
+}
+
+/// A shader module of this WGSL source.
+pub(super) fn module(device: &Device, label: &str, source: String) -> ShaderModule {
+    device.create_shader_module(ShaderModuleDescriptor {
+        label: Some(label),
+        source: ShaderSource::Wgsl(source.into()),
+    })
+}
+
+/// The compute pipeline of an entry point, with bind groups of these layouts.
+pub(super) fn pipeline(
+    device: &Device,
+    entry_point: &str,
+    groups: &[&BindGroupLayout],
+    module: &ShaderModule,
+) -> ComputePipeline {
+    let label = Some(entry_point);
+    let groups: Vec<_> = groups.iter().copied().map(Some).collect();
+    let layout = device.create_pipeline_layout(&PipelineLayoutDescriptor {
+        label,
+        bind_group_layouts: &groups,
+        immediate_size: 0,
+    });
+    device.create_compute_pipeline(&ComputePipelineDescriptor {
+        label,
+        layout: Some(&layout),
+        module,
+        entry_point: label,
+        compilation_options: Default::default(),
+        cache: None,
+    })
+}

@@ -1,0 +1,41 @@
+//! The GPU renderer: opens the device and draws a [`crate::scene::Scene`] on it.
+
+mod backend;
+mod bindings;
+mod camera_block;
+mod compute;
+mod device;
+mod frame_resources;
+mod layouts;
+mod passes;
+mod pipelines;
+mod prepared;
+mod present;
+mod realtime;
+mod region;
+mod renderer;
+mod sky;
+mod source;
+mod stars;
+mod stopwatch;
+mod texture;
+mod tile_queues;
+mod timestamps;
+
+pub use camera_block::{CameraBlock, UNIFORM_BYTES};
+pub use device::{Gpu, GpuError};
+pub use passes::Passes;
+pub use prepared::Prepared;
+pub use present::{EdgeMode, Presentation, Presenter};
+pub use realtime::{FrameContent, RealtimeRenderer};
+pub use region::Region;
+pub use renderer::{Renderer, Trace};
+pub use sky::SkyOnDevice;
+pub use source::{Output, PipelineKey, Store};
+pub use stars::{StarLight, StarsOnDevice};
+pub use stopwatch::{Lap, Stopwatch, Timed};
+pub use texture::texture;
+pub use timestamps::{Timestamps, elapsed};
+
+/// A scene whose sky and stars are on the device.
+pub type ResidentScene = crate::scene::Scene<SkyOnDevice, StarsOnDevice>;

@@ -1,0 +1,219 @@
+//! Draws scenes on a GPU.
+
+use super::pipelines::{Pipelines, Program};
+use super::source::{Output, PipelineKey, Store};
+use super::stars::StarsOnDevice;
+use super::{Gpu, GpuError, Passes, Prepared, Region, ResidentScene, SkyOnDevice};
+use crate::lens::Lens;
+use crate::picture::Picture;
+use crate::scene::Scene;
+use crate::sky::Sky;
+use crate::stars::StarField;
+use glam::{DVec3, Vec3};
+use lensbake_core::RayOutcome;
+use std::sync::{Arc, Mutex, PoisonError, Weak};
+use wgpu::*;
+
+/// Where the light of each pixel comes from: unit directions on the sky in the hole frame, row-major
+/// `[height][width]`.
+pub type Trace = Vec<RayOutcome<DVec3>>;
+
+/// A renderer on one device; a clone shares its pipelines and uploads.
+#[derive(Debug, Clone)]
+pub struct Renderer {
+    gpu: Gpu,
+    pipelines: Arc<Pipelines>,
+    uploaded: Arc<Mutex<Uploaded>>,
+}
+
+/// The uploaded sky and stars of the last scene. If the next scene has the same ones, nothing is uploaded.
+#[derive(Debug, Default)]
+struct Uploaded {
+    sky: Option<(Weak<Sky>, SkyOnDevice)>,
+    stars: Option<(Weak<StarField>, StarsOnDevice)>,
+}
+
+impl Renderer {
+    /// A renderer on `gpu`.
+    pub fn new(gpu: &Gpu) -> Self {
+        Renderer {
+            pipelines: Arc::new(Pipelines::new(&gpu.device)),
+            gpu: gpu.clone(),
+            uploaded: Arc::default(),
+        }
+    }
+
+    /// The device.
+    pub fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    pub(super) fn pipelines(&self) -> &Arc<Pipelines> {
+        &self.pipelines
+    }
+
+    /// The program that draws `output` through `lens`. Compiles it the first time.
+    pub(super) fn program(
+        &self,
+        lens: &Lens,
+        output: Output,
+        store: Store,
+        stars: bool,
+    ) -> Arc<Program> {
+        let row = lens.row.shape();
+        let key = PipelineKey::new(lens.deflection, output, store, row, stars);
+        self.pipelines.program(key)
+    }
+
+    /// Uploads a sky to the device.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`] if it does not fit; the device stays usable.
+    pub async fn upload_sky(&self, sky: &Sky) -> Result<SkyOnDevice, GpuError> {
+        let Gpu { device, queue, .. } = &self.gpu;
+        let upload = || SkyOnDevice::new(device, queue, &self.pipelines.layouts, sky);
+        let sky = self.gpu.attempt(upload).await?;
+        self.gpu.wait().await?;
+        Ok(sky)
+    }
+
+    /// Uploads stars to the device, sorted into cells of the sky.
+    pub fn upload_stars(&self, field: &StarField) -> StarsOnDevice {
+        StarsOnDevice::new(&self.gpu.device, field)
+    }
+
+    /// Uploads the sky and the stars of `scene`, unless they are those of the scene before.
+    ///
+    /// # Errors
+    /// As [`Renderer::upload_sky`].
+    pub async fn upload(&self, scene: &Scene) -> Result<ResidentScene, GpuError> {
+        let sky = match self.uploaded_sky(&scene.sky) {
+            Some(sky) => sky,
+            None => {
+                let sky = self.upload_sky(&scene.sky).await?;
+                self.lock().sky = Some((Arc::downgrade(&scene.sky), sky.clone()));
+                sky
+            }
+        };
+        let stars = scene.stars.as_ref().map(|field| self.stars_of(field));
+        Ok(Scene {
+            lens: scene.lens.clone(),
+            sampling: scene.sampling,
+            sky,
+            stars,
+        })
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, Uploaded> {
+        self.uploaded.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn uploaded_sky(&self, sky: &Arc<Sky>) -> Option<SkyOnDevice> {
+        let uploaded = self.lock();
+        let (of, sky_on_device) = uploaded.sky.as_ref()?;
+        std::ptr::eq(of.as_ptr(), Arc::as_ptr(sky)).then(|| sky_on_device.clone())
+    }
+
+    fn stars_of(&self, field: &Arc<StarField>) -> StarsOnDevice {
+        let mut uploaded = self.lock();
+        match &uploaded.stars {
+            Some((of, stars)) if std::ptr::eq(of.as_ptr(), Arc::as_ptr(field)) => stars.clone(),
+            _ => {
+                let stars = self.upload_stars(field);
+                uploaded.stars = Some((Arc::downgrade(field), stars.clone()));
+                stars
+            }
+        }
+    }
+
+    /// Draws the picture of a scene. `band_done` is called with the number of rows drawn so far.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`] if the device fails, [`GpuError::TooManyStars`] if the star lists do not hold all
+    /// images.
+    pub async fn picture(
+        &self,
+        scene: &Scene,
+        band_done: impl Fn(u32),
+    ) -> Result<Picture, GpuError> {
+        let camera = &scene.lens.camera;
+        let mut light = Vec::with_capacity(camera.pixels());
+        self.stream(scene, |band, pixels| {
+            light.extend(pixels.iter().map(|&[r, g, b, _]| [r, g, b]));
+            band_done(band.first[1] + band.count[1]);
+        })
+        .await?;
+        Ok(Picture::new(camera.width, camera.height, light))
+    }
+
+    /// Draws a scene and calls `take` with each of its bands, from the top down, and with the band's pixels: for
+    /// pictures too large to be kept.
+    ///
+    /// # Errors
+    /// As [`Renderer::picture`]; [`GpuError::TooManyStars`] comes before the first band is taken.
+    pub async fn stream(
+        &self,
+        scene: &Scene,
+        take: impl FnMut(Region, &[[f32; 4]]),
+    ) -> Result<(), GpuError> {
+        let scene = self.upload(scene).await?;
+        self.read_bands(&self.prepare(&scene), take).await
+    }
+
+    /// Finds where the light of each pixel comes from. A ray whose direct integration does not finish counts as
+    /// captured. `band_done` is called with the number of rows done so far.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`] if the device fails.
+    pub async fn trace(&self, lens: &Lens, band_done: impl Fn(u32)) -> Result<Trace, GpuError> {
+        const ESCAPES: f32 = 1.0;
+        let decode = |&[x, y, z, outcome]: &[f32; 4]| {
+            if outcome == ESCAPES {
+                RayOutcome::Escapes(Vec3::new(x, y, z).as_dvec3())
+            } else {
+                RayOutcome::Captured
+            }
+        };
+        let mut trace = Vec::with_capacity(lens.camera.pixels());
+        self.read_bands(&Prepared::trace(self, lens), |band, pixels| {
+            trace.extend(pixels.iter().map(decode));
+            band_done(band.first[1] + band.count[1]);
+        })
+        .await?;
+        Ok(trace)
+    }
+
+    /// Creates everything that drawing `scene` needs, so that only the dispatches remain.
+    pub fn prepare(&self, scene: &ResidentScene) -> Prepared {
+        Prepared::picture(self, scene)
+    }
+
+    async fn read_bands(
+        &self,
+        prepared: &Prepared,
+        mut take: impl FnMut(Region, &[[f32; 4]]),
+    ) -> Result<(), GpuError> {
+        let Gpu { device, queue, .. } = &self.gpu;
+        let written = prepared.pixels();
+        let read_back = device.create_buffer(&BufferDescriptor {
+            label: Some("pixels read back"),
+            size: written.size(),
+            usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        for (i, &band) in prepared.bands().iter().enumerate() {
+            let mut encoder = device.create_command_encoder(&Default::default());
+            prepared.encode(&mut encoder, i, None);
+            encoder.copy_buffer_to_buffer(written, 0, &read_back, 0, read_back.size());
+            queue.submit([encoder.finish()]);
+            let pixels: Vec<[f32; 4]> = self.gpu.read(&read_back).await?;
+            if i == 0 {
+                // The star lists are made with the first band, and all bands read them.
+                prepared.check_stars().await?;
+            }
+            let [width, rows] = band.count;
+            take(band, &pixels[..rows as usize * width as usize]);
+        }
+        Ok(())
+    }
+}

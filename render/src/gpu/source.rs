@@ -1,0 +1,258 @@
+//! The key of a pipeline, and its WGSL source.
+
+use super::stars;
+use crate::lens::Deflection;
+use crate::scene::Sampling;
+use crate::shaders::Modules;
+use lensbake_tables::lookup::RowShape;
+
+/// What a dispatch computes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Output {
+    /// The light of each pixel.
+    Picture(Sampling),
+    /// Where the light of each pixel comes from: a direction on the sky.
+    Trace,
+    /// The difference between the light by the table and by direct integration, amplified. The deflection method
+    /// of the lens does not matter.
+    Difference,
+}
+
+/// Where a dispatch writes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Store {
+    /// To a buffer of one region, in 32-bit floats: to be read back.
+    Buffer,
+    /// To a texture of the whole picture, in 16-bit floats: to be shown.
+    Texture,
+}
+
+/// [`Deflection`] as a hash key: the step is held as its bits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum DeflectionKey {
+    Lut,
+    Direct { step_bits: u64 },
+    Flat,
+}
+
+/// What a pipeline is specialised for. A shader contains no code for what its scene lacks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct PipelineKey {
+    deflection: DeflectionKey,
+    /// What it computes.
+    pub output: Output,
+    /// Where it writes.
+    pub store: Store,
+    /// Shape of the row that it looks up.
+    pub row: RowShape,
+    /// Whether it draws stars in front of the sky.
+    pub stars: bool,
+}
+
+/// Names of the modules that depend on the key.
+const ROW: &str = "row";
+const DEFLECT: &str = "deflect";
+
+impl PipelineKey {
+    /// The key of a pipeline that computes `output` by `deflection`. `stars` is ignored unless `output` is a
+    /// picture.
+    pub fn new(
+        deflection: Deflection,
+        output: Output,
+        store: Store,
+        row: RowShape,
+        stars: bool,
+    ) -> Self {
+        PipelineKey {
+            deflection: match deflection {
+                Deflection::Lut => DeflectionKey::Lut,
+                Deflection::Direct { step } => DeflectionKey::Direct {
+                    step_bits: step.to_bits(),
+                },
+                Deflection::Flat => DeflectionKey::Flat,
+            },
+            output,
+            store,
+            row,
+            stars: stars && matches!(output, Output::Picture(_)),
+        }
+    }
+
+    /// The key of the pipelines that classify tiles for this one; `None` if it does not draw by tiles.
+    /// Classification uses the table in place of direct integration and does not depend on the store or the stars,
+    /// so several keys share it.
+    pub(super) fn classifier(self) -> Option<Self> {
+        let filtered = self.output == Output::Picture(Sampling::Filtered);
+        filtered.then_some(PipelineKey {
+            deflection: match self.deflection {
+                DeflectionKey::Direct { .. } => DeflectionKey::Lut,
+                other => other,
+            },
+            store: Store::Buffer,
+            stars: false,
+            ..self
+        })
+    }
+
+    /// A name for labels and messages.
+    pub fn name(self) -> &'static str {
+        match self.output {
+            Output::Picture(_) => "picture",
+            Output::Trace => "trace",
+            Output::Difference => "difference",
+        }
+    }
+
+    /// Whether it reads the sky.
+    pub fn reads_sky(self) -> bool {
+        self.output != Output::Trace
+    }
+
+    /// The entry points: one, or one for each [`crate::filter::TileClass`].
+    pub fn entry_points(self) -> &'static [&'static str] {
+        match self.output {
+            Output::Picture(Sampling::Single) => &["picture"],
+            Output::Picture(Sampling::Filtered) => &["one_tap", "one_ray", "many_rays"],
+            Output::Trace => &["trace"],
+            Output::Difference => &["difference"],
+        }
+    }
+
+    /// The WGSL source.
+    pub fn source(self) -> String {
+        let mut modules = self.modules();
+        let keep = if self.stars { "keep_stars" } else { "keep_sky" };
+        modules.define("keep", alias_module(keep));
+        modules.define(
+            "output",
+            alias_module(match self.store {
+                Store::Buffer => "output_buffer",
+                Store::Texture => "output_texture",
+            }),
+        );
+        stars::define(&mut modules);
+        modules.assemble(&[match self.output {
+            Output::Picture(Sampling::Single) => "picture",
+            Output::Picture(Sampling::Filtered) => "filter",
+            Output::Trace => "trace",
+            Output::Difference => "difference",
+        }])
+    }
+
+    /// The WGSL source that classifies tiles.
+    pub(super) fn classifier_source(self) -> String {
+        self.modules().assemble(&["classify_tiles"])
+    }
+
+    fn modules(self) -> Modules {
+        let mut modules = Modules::new();
+        modules.define(ROW, self.row.wgsl(0, 2));
+        modules.define("step", format!("const STEP: f32 = {:?};\n", self.step()));
+        modules.define(DEFLECT, self.deflect());
+        modules
+    }
+
+    fn step(self) -> f64 {
+        match self.deflection {
+            DeflectionKey::Direct { step_bits } => f64::from_bits(step_bits),
+            DeflectionKey::Lut | DeflectionKey::Flat => Deflection::DEFAULT_STEP,
+        }
+    }
+
+    /// The module `deflect`: it defines `deflect`, and `deflect_patch` for rays with a footprint.
+    fn deflect(self) -> String {
+        match self.deflection {
+            DeflectionKey::Lut => calls("deflect_lut", "deflect_lut", "deflect_lut_patch"),
+            DeflectionKey::Flat => calls("deflect_flat", "deflect_flat", "deflect_flat"),
+            DeflectionKey::Direct { .. } if matches!(self.output, Output::Picture(_)) => calls(
+                "deflect_direct_patch",
+                "deflect_direct",
+                "deflect_direct_patch",
+            ),
+            DeflectionKey::Direct { .. } => {
+                calls("deflect_direct", "deflect_direct", "deflect_direct")
+            }
+        }
+    }
+}
+
+/// A module that only imports the module `of`.
+fn alias_module(of: &str) -> String {
+    format!("// #import {of}\n")
+}
+
+fn calls(module: &str, ray: &str, patch: &str) -> String {
+    format!(
+        "// #import {module}\n\
+         fn deflect(c: f32, p: f32) -> Deflected {{ return {ray}(c, p); }}\n\
+         fn deflect_patch(c: f32, p: f32) -> Deflected {{ return {patch}(c, p); }}\n"
+    )
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use lensbake_tables::Interpolation;
+    use naga::valid::{Capabilities, ValidationFlags, Validator};
+
+    /// Keys of every kind.
+    pub(in crate::gpu) fn keys() -> Vec<PipelineKey> {
+        let deflections = [
+            Deflection::Lut,
+            Deflection::Direct { step: 0.1 },
+            Deflection::Flat,
+        ];
+        let outputs = [
+            Output::Picture(Sampling::Single),
+            Output::Picture(Sampling::Filtered),
+            Output::Trace,
+            Output::Difference,
+        ];
+        let mut keys = Vec::new();
+        for deflection in deflections {
+            for output in outputs {
+                for store in [Store::Buffer, Store::Texture] {
+                    for interpolation in [Interpolation::Linear, Interpolation::Hermite] {
+                        for stars in [false, true] {
+                            let row = RowShape {
+                                texels: 64,
+                                interpolation,
+                            };
+                            keys.push(PipelineKey::new(deflection, output, store, row, stars));
+                        }
+                    }
+                }
+            }
+        }
+        keys
+    }
+
+    #[test]
+    fn every_shader_is_valid() {
+        let keys = keys();
+        assert_eq!(keys.len(), 96);
+        for key in keys {
+            validate(&key.source(), key.entry_points());
+            if let Some(classifier) = key.classifier() {
+                validate(
+                    &classifier.classifier_source(),
+                    &["classify_tiles", "close_queues"],
+                );
+            }
+        }
+    }
+
+    pub(in crate::gpu) fn validate(source: &str, entry_points: &[&str]) {
+        let module = naga::front::wgsl::parse_str(source)
+            .unwrap_or_else(|e| panic!("{}", e.emit_to_string(source)));
+        Validator::new(ValidationFlags::all(), Capabilities::empty())
+            .validate(&module)
+            .unwrap_or_else(|e| panic!("{e:?} in\n{source}"));
+        let names: Vec<&str> = module
+            .entry_points
+            .iter()
+            .map(|e| e.name.as_str())
+            .collect();
+        assert_eq!(names, entry_points);
+    }
+}

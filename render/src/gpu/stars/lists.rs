@@ -1,0 +1,209 @@
+//! The star lists of one picture: linked lists of the light of star images, made for each frame and read by the
+//! picture.
+
+use super::StarsOnDevice;
+use super::data::{InverseLensBlock, Piece};
+use super::nodes;
+use super::programs::{StarPrograms, WORKGROUP};
+use super::report::{Reports, StarLight};
+use crate::gpu::bindings::bind_group;
+use crate::gpu::compute::ComputeShader;
+use crate::gpu::layouts::Layouts;
+use crate::gpu::{CameraBlock, Gpu, GpuError};
+use crate::lens::{Deflection, Lens};
+use crate::shadow::Shadow;
+use crate::stars::cells::Candidates;
+use crate::stars::draw::arc_splats;
+use crate::stars::images::InverseLens;
+use lensbake_tables::Row;
+use std::sync::Arc;
+use wgpu::*;
+
+/// Largest number of pieces of arcs: those of about a dozen stars on the optical axis.
+const PIECES: usize = 1 << 17;
+/// Largest number of candidates: together with the pieces, the largest number for one dispatch.
+const CANDIDATES: usize = 4_000_000;
+
+/// The star lists of one picture.
+#[derive(Debug)]
+pub(in crate::gpu) struct StarLists {
+    stars: StarsOnDevice,
+    programs: Arc<StarPrograms>,
+    queue: Queue,
+    camera: Buffer,
+    lens: Buffer,
+    pieces: Buffer,
+    candidates: Buffer,
+    /// The number of requested nodes, and the head of each list.
+    list_heads: Buffer,
+    listing: BindGroup,
+    summing: BindGroup,
+    linking: BindGroup,
+    reports: Reports,
+    reading: BindGroup,
+    /// The inverse lens on the GPU, and the deflection method and row that it was made from.
+    shown: Option<(Deflection, Row, InverseLens)>,
+    /// The images found in the last frame.
+    found: Candidates,
+    invocations: u32,
+    /// Whether there were more candidates or pieces than the buffers hold.
+    full: bool,
+}
+
+impl StarLists {
+    /// Star lists for pictures of at most `size` pixels.
+    pub(in crate::gpu) fn new(
+        gpu: &Gpu,
+        layouts: &Layouts,
+        programs: Arc<StarPrograms>,
+        stars: &StarsOnDevice,
+        size: [u32; 2],
+    ) -> Self {
+        let device = &gpu.device;
+        let buffer = |label, size, usage| {
+            device.create_buffer(&BufferDescriptor {
+                label: Some(label),
+                size,
+                usage: usage | BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            })
+        };
+        let uniform = |label, bytes: usize| buffer(label, bytes as u64, BufferUsages::UNIFORM);
+        let camera = uniform("camera of the stars", size_of::<CameraBlock>());
+        let lens = uniform("inverse lens", size_of::<InverseLensBlock>());
+        let storage = |label, bytes| buffer(label, bytes, BufferUsages::STORAGE);
+        let pieces = storage("pieces of arcs", (PIECES * size_of::<Piece>()) as u64);
+        let candidates = storage("candidates", 4 * CANDIDATES as u64);
+        let usage = BufferUsages::STORAGE | BufferUsages::COPY_SRC;
+        let list_heads = buffer("list heads", nodes::list_heads_bytes(size), usage);
+        let nodes = nodes::node_texture(device).create_view(&Default::default());
+        let whole = Buffer::as_entire_binding;
+        let listing = [
+            whole(&camera),
+            whole(&lens),
+            whole(&stars.0.buffer),
+            whole(&pieces),
+            whole(&candidates),
+            whole(&list_heads),
+            BindingResource::TextureView(&nodes),
+        ];
+        let overflow = |label, shader: &ComputeShader| {
+            let nodes = BindingResource::TextureView(&nodes);
+            let resources = [whole(&camera), whole(&list_heads), nodes];
+            bind_group(device, label, &shader.layout, resources)
+        };
+        let reading = [whole(&list_heads), BindingResource::TextureView(&nodes)];
+        StarLists {
+            listing: bind_group(device, "list stars", &programs.bent.layout, listing),
+            summing: overflow("sum overflow lists", &programs.sum_overflows),
+            linking: overflow("link overflow sums", &programs.link_sums),
+            reading: bind_group(device, "lists of stars", &layouts.star_lists, reading),
+            reports: Reports::new(device),
+            queue: gpu.queue.clone(),
+            stars: stars.clone(),
+            programs,
+            camera,
+            lens,
+            pieces,
+            candidates,
+            list_heads,
+            shown: None,
+            found: Candidates::default(),
+            invocations: 0,
+            full: false,
+        }
+    }
+
+    /// Whether these are the lists of `stars`.
+    pub(in crate::gpu) fn are_of(&self, stars: &StarsOnDevice) -> bool {
+        self.stars == *stars
+    }
+
+    /// Sets what the next lists contain: the stars as seen through `lens`. The inverse row is computed again only
+    /// for another row or deflection method.
+    pub(in crate::gpu) fn show(&mut self, lens: &Lens) {
+        let is_shown = |(deflection, row, _): &(Deflection, Row, InverseLens)| {
+            *deflection == lens.deflection && *row == lens.row
+        };
+        let shown = self.shown.take().filter(is_shown);
+        let shown =
+            shown.unwrap_or_else(|| (lens.deflection, lens.row.clone(), InverseLens::of(lens)));
+        let (inverse, cells, found) = (&shown.2, &self.stars.0.cells, &mut self.found);
+        cells.find(&lens.camera, inverse, found);
+        let radius = cells.disc_radius();
+        let points = &found.points[..found.points.len().min(CANDIDATES)];
+        let on_axis = found.arcs.iter().map(|i| &cells.stars()[*i as usize]);
+        let splats = arc_splats(&lens.camera, inverse, on_axis, radius);
+        let pieces: Vec<Piece> = splats.iter().take(PIECES).map(Piece::from).collect();
+        self.full = found.points.len() > CANDIDATES || splats.len() > PIECES;
+        let counts = [points.len(), pieces.len()].map(|n| n as u32);
+        self.invocations = counts.iter().sum();
+        let block = InverseLensBlock::new(inverse, radius, counts);
+        let camera = CameraBlock::new(&lens.camera, Shadow::of(lens));
+        let write = |buffer, bytes| self.queue.write_buffer(buffer, 0, bytes);
+        write(&self.camera, bytemuck::bytes_of(&camera));
+        write(&self.lens, bytemuck::bytes_of(&block));
+        write(&self.pieces, bytemuck::cast_slice(&pieces));
+        write(&self.candidates, bytemuck::cast_slice(points));
+        self.shown = Some(shown);
+    }
+
+    /// Encodes the clearing of the lists, which must come before [`StarLists::make`].
+    pub(in crate::gpu) fn clear(&self, encoder: &mut CommandEncoder) {
+        encoder.clear_buffer(&self.list_heads, 0, None);
+    }
+
+    /// Encodes the dispatches that make the lists.
+    pub(in crate::gpu) fn make(&self, pass: &mut ComputePass) {
+        let programs = &self.programs;
+        let list = match &self.shown {
+            Some((.., InverseLens::Flat(_))) => &programs.flat,
+            _ => &programs.bent,
+        };
+        let listed = self.invocations.div_ceil(WORKGROUP);
+        let summed = nodes::SUM_INVOCATIONS / WORKGROUP;
+        for (shader, group, workgroups) in [
+            (list, &self.listing, listed),
+            (&programs.sum_overflows, &self.summing, summed),
+            (&programs.link_sums, &self.linking, summed),
+        ] {
+            pass.set_pipeline(&shader.pipeline);
+            pass.set_bind_group(0, group, &[]);
+            pass.dispatch_workgroups(workgroups, 1, 1);
+        }
+    }
+
+    /// Encodes the copy of the node count that [`StarLists::arrived`] reports, after the pass in which the lists
+    /// were made.
+    pub(in crate::gpu) fn report(&self, encoder: &mut CommandEncoder) {
+        self.reports.encode(encoder, &self.list_heads, self.full);
+    }
+
+    /// Whether the newest frame whose node count has arrived since the last call contains the light of all its
+    /// stars; `None` if no count has arrived. Does not block. Call it after the encoded commands are submitted.
+    pub(in crate::gpu) fn arrived(&self) -> Option<StarLight> {
+        self.reports.arrived()
+    }
+
+    /// Whether a node count is under way that [`StarLists::arrived`] will report.
+    pub(in crate::gpu) fn awaited(&self) -> bool {
+        self.reports.under_way()
+    }
+
+    /// The bind group with which a picture reads the lists.
+    pub(in crate::gpu) fn reading(&self) -> &BindGroup {
+        &self.reading
+    }
+
+    /// Checks that the lists that were made last held the light of all stars.
+    ///
+    /// # Errors
+    /// [`GpuError::TooManyStars`] if they did not, [`GpuError::Failed`] if the device fails.
+    pub(in crate::gpu) async fn check(&self, gpu: &Gpu) -> Result<(), GpuError> {
+        let requested: Vec<u32> = gpu.copy_back(&self.list_heads, 4).await?;
+        match StarLight::of(requested[0], self.full) {
+            StarLight::Whole => Ok(()),
+            StarLight::PartLost => Err(GpuError::TooManyStars),
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! A scene: a lens, the sky behind the hole, and point stars in front of that sky.
+
+use crate::lens::Lens;
+use crate::sky::Sky;
+use crate::stars::StarField;
+use std::sync::Arc;
+
+/// How a pixel samples its area.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Sampling {
+    /// The light of one ray through its centre, to judge the bending alone.
+    #[default]
+    Single,
+    /// The mean light over its area, as a picture should show.
+    Filtered,
+}
+
+/// A scene. Its sky and stars are shared, so that a clone does not copy them; on a GPU they are
+/// [`crate::gpu::SkyOnDevice`] and [`crate::gpu::StarsOnDevice`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene<S = Arc<Sky>, P = Arc<StarField>> {
+    /// The camera and the deflection method.
+    pub lens: Lens,
+    /// How a pixel samples its area.
+    pub sampling: Sampling,
+    /// The sky.
+    pub sky: S,
+    /// The point stars, if any.
+    pub stars: Option<P>,
+}
+
+impl<S, P> Scene<S, P> {
+    /// The scene of `sky` through `lens`, one ray per pixel, without stars.
+    pub fn new(lens: Lens, sky: impl Into<S>) -> Self {
+        Scene {
+            lens,
+            sampling: Sampling::Single,
+            sky: sky.into(),
+            stars: None,
+        }
+    }
+
+    /// The same scene with another sampling.
+    pub fn with_sampling(self, sampling: Sampling) -> Self {
+        Scene { sampling, ..self }
+    }
+
+    /// The same scene with point stars.
+    pub fn with_stars(self, stars: impl Into<P>) -> Self {
+        Scene {
+            stars: Some(stars.into()),
+            ..self
+        }
+    }
+}
+
+impl<S: Clone, P: Clone> Scene<S, P> {
+    /// The same scene through another lens.
+    pub fn with_lens(&self, lens: Lens) -> Self {
+        Scene {
+            lens,
+            ..self.clone()
+        }
+    }
+}

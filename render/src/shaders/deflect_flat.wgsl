@@ -1,0 +1,9 @@
+// No deflection: a black sphere in front of the undeflected sky.
+// #import camera
+// #import deflection
+fn deflect_flat(c: f32, p: f32) -> Deflected {
+    if c > 0.0 && p < camera.inverse_radius {
+        return Deflected(CAPTURED, 0.0, 0.0, 0.0);
+    }
+    return Deflected(ESCAPES, c, p, 0.0);
+}

@@ -1,0 +1,25 @@
+// Deflection by table lookup.
+// #import camera
+// #import deflection
+// #import lookup
+
+fn shadow_edge() -> ShadowEdge {
+    return ShadowEdge(camera.tan_half_shadow, camera.log_weight, camera.away_slope);
+}
+
+fn deflect_lut(c: f32, p: f32) -> Deflected {
+    return deflected_by(c, p, bending(c, p, shadow_edge()));
+}
+
+// For footprints: the slope is accurate in every direction, even straight away from the hole.
+fn deflect_lut_patch(c: f32, p: f32) -> Deflected {
+    return deflected_by(c, p, bending_for_footprint(c, p, shadow_edge()));
+}
+
+fn deflected_by(c: f32, p: f32, bent: Bending) -> Deflected {
+    if bent.captured {
+        return Deflected(CAPTURED, 0.0, 0.0, 0.0);
+    }
+    let sky = turned(c, p, bent.bend);
+    return Deflected(ESCAPES, sky.x, sky.y, bent.slope);
+}

@@ -1,0 +1,20 @@
+// The ray outcome, and the direction on the sky after deflection.
+
+const CAPTURED: u32 = 0u;
+const ESCAPES: u32 = 1u;
+const UNFINISHED: u32 = 2u;
+
+struct Deflected {
+    outcome: u32,
+    // cos and sin of the sky angle from the direction of the hole.
+    cos_sky: f32,
+    sin_sky: f32,
+    // dΔ/dθ.
+    slope: f32,
+}
+
+// The unit direction d after deflection: turned in its plane through the hole. p is sin θ of d.
+fn turn_direction(d: vec3<f32>, p: f32, deflected: Deflected) -> vec3<f32> {
+    let scale = deflected.sin_sky / max(p, 1e-30);
+    return vec3(d.xy * scale, -deflected.cos_sky);
+}

@@ -1,0 +1,13 @@
+// Output to a buffer of the region, row-major.
+// #import region
+@group(0) @binding(3) var<storage, read_write> output: array<vec4<f32>>;
+
+// Stores pixel `id` of the region.
+fn store(id: vec2<u32>, pixel: vec4<f32>) {
+    output[id.y * region.count.x + id.x] = pixel;
+}
+
+// The light that a pixel can hold: all of it.
+fn storable(light: vec3<f32>) -> vec3<f32> {
+    return light;
+}

@@ -1,0 +1,320 @@
+//! Culling of star images. The stars are sorted into cells of the sky. For each frame and image order, a cell is
+//! skipped if its image does not fall into the picture, and in the other cells the stars are skipped that are too
+//! faint to be visible.
+
+use super::image_bounds::{Bounds, ImageBounds};
+use super::images::{ImageOrder, InverseLens, MIN_LIGHT, view_direction};
+use super::kernel::REACHES;
+use super::{PointStar, StarField};
+use crate::camera::{Camera, ViewAngle};
+use crate::sky::{face_coordinates, texel_direction};
+use glam::{DVec2, DVec3};
+use std::f64::consts::PI;
+use std::ops::Range;
+
+/// Cells along each edge of a cube face.
+const CELLS: u32 = 10;
+/// Steps along each edge of a cell, for sorting its stars in Morton order.
+const MORTON_STEPS: u32 = 256;
+
+/// The stars of a field, sorted into cells.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cells {
+    cells: Vec<Cell>,
+    /// Sorted by cell and, within a cell, in Morton order. Neighbours in the sky are then near each other in this
+    /// array, and the GPU writes their images to nearby memory.
+    stars: Vec<PointStar>,
+    /// Light of each star in its brightest channel.
+    lights: Vec<f32>,
+    disc_radius: f64,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct Cell {
+    /// Unit vector to the middle of the cell, sky frame.
+    middle: DVec3,
+    /// Largest angle of one of its stars from `middle`, rad.
+    radius: f64,
+    /// Indices of its stars in [`Cells::stars`].
+    stars: Range<u32>,
+    /// Light of its brightest star, in the brightest channel.
+    brightest: f32,
+}
+
+/// The star images that a frame may show.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Candidates {
+    /// Images that may be visible as points.
+    pub points: Vec<Candidate>,
+    /// Indices in [`Cells::stars`] of the stars that may be visible as arcs.
+    pub arcs: Vec<u32>,
+}
+
+/// An image of a star, packed as `shaders/list_stars.wgsl` reads it: the lower 24 bits are the index of the star
+/// in [`Cells::stars`], the upper 8 bits the index of the image order in [`ImageOrder::all`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(transparent)]
+pub struct Candidate(u32);
+
+impl Candidate {
+    fn new(star: u32, order: usize) -> Self {
+        Candidate(star | (order as u32) << 24)
+    }
+}
+
+impl Cells {
+    /// Sorts the stars of `field` into cells.
+    pub fn new(field: &StarField) -> Self {
+        let place = |direction: DVec3| {
+            let (face, u, v) = face_coordinates(direction.as_vec3());
+            let fine = [v, u].map(|unit| {
+                let fine = (unit * (CELLS * MORTON_STEPS) as f32) as u32;
+                fine.min(CELLS * MORTON_STEPS - 1)
+            });
+            let [row, column] = fine.map(|fine| fine / MORTON_STEPS);
+            let cell = (face as u32 * CELLS + row) * CELLS + column;
+            (cell, interleaved(fine.map(|fine| fine % MORTON_STEPS)))
+        };
+        let placed = |star: &PointStar| (place(star.direction), *star);
+        let mut placed: Vec<((u32, u32), PointStar)> = field.stars.iter().map(placed).collect();
+        placed.sort_by_key(|(place, _)| *place);
+        let mut next = 0;
+        let cells = placed.chunk_by(|(a, _), (b, _)| a.0 == b.0).map(|stars| {
+            let first = next;
+            next += stars.len() as u32;
+            let middle = middle_of(stars[0].0.0);
+            let from_middle = |(_, star): &(_, PointStar)| star.direction.angle_between(middle);
+            let lights = stars.iter().map(|(_, star)| star.light.max_element());
+            Cell {
+                middle,
+                radius: stars.iter().map(from_middle).fold(0.0, f64::max),
+                stars: first..next,
+                brightest: lights.fold(0.0, f32::max),
+            }
+        });
+        let cells = cells.collect();
+        let stars: Vec<PointStar> = placed.into_iter().map(|(_, star)| star).collect();
+        Cells {
+            cells,
+            lights: stars.iter().map(|star| star.light.max_element()).collect(),
+            stars,
+            disc_radius: field.disc_radius,
+        }
+    }
+
+    /// Angular radius of each star, rad.
+    pub fn disc_radius(&self) -> f64 {
+        self.disc_radius
+    }
+
+    /// All stars of the field; [`Candidates`] holds indices in this slice.
+    pub fn stars(&self) -> &[PointStar] {
+        &self.stars
+    }
+
+    /// Replaces the contents of `candidates` by the images that the picture of `camera` may show through `lens`.
+    /// They include all visible images, and perhaps a few that are not visible.
+    pub fn find(&self, camera: &Camera, lens: &InverseLens, candidates: &mut Candidates) {
+        candidates.points.clear();
+        candidates.arcs.clear();
+        let frustum = Frustum::of(camera);
+        let orders = ImageBounds::of(lens, self.disc_radius);
+        for cell in &self.cells {
+            self.append(candidates, cell, camera, &frustum, &orders);
+        }
+    }
+
+    /// Appends the images of a cell that may be visible.
+    fn append(
+        &self,
+        candidates: &mut Candidates,
+        cell: &Cell,
+        camera: &Camera,
+        frustum: &Frustum,
+        orders: &ImageBounds,
+    ) {
+        let direction = camera.sky_from_hole.transpose() * cell.middle;
+        let beta = ViewAngle::of(direction).radians();
+        if orders.may_be_arc(beta.min(PI - beta) - cell.radius) {
+            candidates.arcs.extend(cell.stars.clone());
+        }
+        let azimuth = direction.truncate().normalize_or(DVec2::X);
+        for (index, order) in ImageOrder::all().flatten().enumerate() {
+            let seen = orders.seen(index, beta - cell.radius, beta + cell.radius);
+            let Some(seen) = seen else {
+                // Only without bending: the black sphere hides part of the cell, or this image order does not
+                // exist.
+                if order.is_straight() {
+                    self.append_brighter(&mut candidates.points, cell, index, 0.0);
+                }
+                break;
+            };
+            let least = (f64::from(MIN_LIGHT) / seen.brightness) as f32 * (1.0 - 1e-6);
+            if cell.brightest < least && !order.is_straight() {
+                break;
+            }
+            if frustum.may_see_cell(azimuth * order.side, &seen, cell.radius) {
+                self.append_brighter(&mut candidates.points, cell, index, least);
+            }
+        }
+    }
+
+    /// Appends the images, in one image order, of the stars of a cell with at least this light. The loop has no
+    /// branch, because a branch would be unpredictable.
+    fn append_brighter(&self, points: &mut Vec<Candidate>, cell: &Cell, order: usize, least: f32) {
+        let mut end = points.len();
+        points.resize(end + cell.stars.len(), Candidate(0));
+        for star in cell.stars.clone() {
+            points[end] = Candidate::new(star, order);
+            end += usize::from(self.lights[star as usize] >= least);
+        }
+        points.truncate(end);
+    }
+}
+
+/// Unit vector to the middle of the cell with this index, sky frame.
+fn middle_of(cell: u32) -> DVec3 {
+    let (face, in_face) = (cell / (CELLS * CELLS), cell % (CELLS * CELLS));
+    let (row, column) = (in_face / CELLS, in_face % CELLS);
+    let middle = texel_direction(CELLS, face as usize, column, row);
+    middle.as_dvec3().normalize()
+}
+
+/// Interleaves the bits of row and column: the index in Morton order.
+fn interleaved([row, column]: [u32; 2]) -> u32 {
+    (0..MORTON_STEPS.ilog2()).fold(0, |bits, i| {
+        bits | (column >> i & 1) << (2 * i) | (row >> i & 1) << (2 * i + 1)
+    })
+}
+
+/// The view frustum of a picture, with a margin for the widest point-spread kernel.
+struct Frustum {
+    /// Inward unit normals of its sides.
+    sides: [DVec3; 4],
+    margin: f64,
+}
+
+impl Frustum {
+    fn of(camera: &Camera) -> Self {
+        let half = |step: DVec3, side: u32| step * (0.5 * f64::from(side));
+        let (right, down) = (
+            half(camera.right, camera.width),
+            half(camera.down, camera.height),
+        );
+        let forward = camera.forward;
+        let side = |towards: DVec3| {
+            // Normal to the plane through the camera and an edge of the picture.
+            let edge = forward + towards;
+            (forward * towards.length_squared() - towards * forward.dot(edge)).normalize()
+        };
+        Frustum {
+            sides: [side(right), side(-right), side(down), side(-down)],
+            margin: REACHES[REACHES.len() - 1] * camera.right.length(),
+        }
+    }
+
+    /// Whether the image of a cell of this angular `radius` (rad) may be in the picture.
+    fn may_see_cell(&self, azimuth: DVec2, seen: &Bounds, radius: f64) -> bool {
+        let along = 0.5 * (seen.farthest - seen.nearest);
+        let middle = 0.5 * (seen.farthest + seen.nearest);
+        let tangential = radius * seen.tangential_magnification.max(1.0);
+        self.may_see(view_direction(azimuth, middle), along.hypot(tangential))
+    }
+
+    /// Whether a circle of `radius` (rad) around a unit `direction` may be in the picture.
+    fn may_see(&self, direction: DVec3, radius: f64) -> bool {
+        let reach = (radius + self.margin).min(0.5 * PI).sin();
+        self.sides.iter().all(|side| side.dot(direction) > -reach)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::View;
+    use crate::lens::{Deflection, Lens};
+    use crate::stars::hipparcos;
+    use lensbake_tables::default_atlas;
+    use std::collections::HashSet;
+
+    #[test]
+    fn no_star_that_is_seen_is_left_out() {
+        let field = StarField::new(&hipparcos(), 0.0);
+        let cells = Cells::new(&field);
+        let in_cells: usize = cells.cells.iter().map(|cell| cell.stars.len()).sum();
+        assert_eq!(in_cells, field.stars.len());
+        let sorted = |stars: &[PointStar]| {
+            let bits = |star: &PointStar| {
+                (
+                    star.direction.to_array().map(f64::to_bits),
+                    star.light.x.to_bits(),
+                )
+            };
+            let mut all: Vec<_> = stars.iter().map(bits).collect();
+            all.sort_unstable();
+            all
+        };
+        assert_eq!(sorted(cells.stars()), sorted(&field.stars));
+        let (mut seen, mut looked_at) = (0, 0);
+        for (radius, yaw_deg, pitch_deg, roll_deg, fov_deg, method) in [
+            (25.0, 0.0, 0.0, 0.0, 90.0, Deflection::Lut),
+            (25.0, 100.0, 30.0, 20.0, 60.0, Deflection::Lut),
+            (2.0, 70.0, 0.0, 0.0, 100.0, Deflection::Lut),
+            (1.2, 180.0, 10.0, 0.0, 170.0, Deflection::Lut),
+            (1000.0, 0.0, 0.0, 45.0, 10.0, Deflection::Lut),
+            (3.0, 20.0, 0.0, 0.0, 90.0, Deflection::Flat),
+        ] {
+            let view = View {
+                radius,
+                orbit_deg: 40.0,
+                latitude_deg: 20.0,
+                yaw_deg,
+                pitch_deg,
+                roll_deg,
+                fov_deg,
+                width: 480,
+                height: 270,
+            };
+            let camera = Camera::new(&view).unwrap();
+            let lens = Lens::new(camera, default_atlas(), method).unwrap();
+            let lens = InverseLens::of(&lens);
+            let mut candidates = Candidates::default();
+            cells.find(&camera, &lens, &mut candidates);
+            let kept: HashSet<Candidate> = candidates.points.iter().copied().collect();
+            assert_eq!(
+                kept.len(),
+                candidates.points.len(),
+                "an image is there twice"
+            );
+            for (star, order) in images_seen(&camera, &lens, &cells) {
+                assert!(
+                    kept.contains(&Candidate::new(star, order)),
+                    "r {radius}, yaw {yaw_deg}: {:?} by order {order}",
+                    cells.stars[star as usize]
+                );
+                seen += 1;
+            }
+            looked_at += kept.len();
+        }
+        assert!(seen > 20_000, "{seen}");
+        assert!(looked_at < 3 * seen, "{looked_at} for {seen}");
+    }
+
+    /// The images in the picture with at least the light [`MIN_LIGHT`], as (index of the star, index of the image
+    /// order).
+    fn images_seen(camera: &Camera, lens: &InverseLens, cells: &Cells) -> Vec<(u32, usize)> {
+        let mut seen = Vec::new();
+        for (index, star) in (0..).zip(&cells.stars) {
+            let direction = camera.sky_from_hole.transpose() * star.direction;
+            let images = lens.images(direction, cells.disc_radius);
+            for (order, image) in images.flatten().enumerate() {
+                let Some(image) = image else { continue };
+                let light = star.light.max_element() * image.magnification as f32;
+                if light >= MIN_LIGHT && camera.pixel(image.direction).is_some() {
+                    seen.push((index, order));
+                }
+            }
+        }
+        seen
+    }
+}

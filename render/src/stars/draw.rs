@@ -1,0 +1,135 @@
+//! Draws stars on the CPU in f64: the reference for `shaders/list_stars.wgsl`.
+
+use super::aligned::arcs;
+use super::images::{InverseLens, MAX_LIGHT, MIN_LIGHT};
+use super::kernel::{spread, weight};
+use super::{PointStar, StarField};
+use crate::camera::Camera;
+use crate::lens::Lens;
+use crate::picture::Picture;
+use glam::{DVec2, DVec3, Vec3};
+use rayon::prelude::*;
+
+/// Light that falls on a point of the picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Splat {
+    /// Position in pixels from the picture's top left corner.
+    pub at: DVec2,
+    /// Half-width of its point-spread kernel, pixels.
+    pub reach: f64,
+    /// Its light, linear RGB.
+    pub light: Vec3,
+}
+
+/// Adds the stars of `field`, seen through `lens`, to `picture`.
+pub fn draw(picture: &mut Picture, lens: &Lens, field: &StarField) {
+    for splat in splats(lens, field) {
+        add(picture, &splat);
+    }
+}
+
+/// The splats of the stars of `field`, seen through `lens`.
+pub fn splats(lens: &Lens, field: &StarField) -> Vec<Splat> {
+    let inverse = InverseLens::of(lens);
+    let per_star = |star: &PointStar| {
+        let mut drawing = Drawing::new(&lens.camera, &inverse, field.disc_radius);
+        drawing.add_points(star);
+        drawing.add_arcs(star);
+        drawing.splats
+    };
+    field.stars.par_iter().flat_map_iter(per_star).collect()
+}
+
+/// The splats of the arcs of `stars`, seen through `lens`. A star that is not on the optical axis has none.
+pub fn arc_splats<'a>(
+    camera: &Camera,
+    lens: &InverseLens,
+    stars: impl Iterator<Item = &'a PointStar>,
+    disc_radius: f64,
+) -> Vec<Splat> {
+    let mut drawing = Drawing::new(camera, lens, disc_radius);
+    for star in stars {
+        drawing.add_arcs(star);
+    }
+    drawing.splats
+}
+
+/// Splats of stars of one angular radius, seen by a camera through a lens.
+struct Drawing<'a> {
+    camera: &'a Camera,
+    lens: &'a InverseLens,
+    disc_radius: f64,
+    splats: Vec<Splat>,
+}
+
+impl<'a> Drawing<'a> {
+    fn new(camera: &'a Camera, lens: &'a InverseLens, disc_radius: f64) -> Self {
+        Drawing {
+            camera,
+            lens,
+            disc_radius,
+            splats: Vec::new(),
+        }
+    }
+
+    fn add_points(&mut self, star: &PointStar) {
+        let direction = self.camera.sky_from_hole.transpose() * star.direction;
+        for pair in self.lens.images(direction, self.disc_radius) {
+            let mut bright = false;
+            for image in pair.into_iter().flatten() {
+                let light = magnified(star.light, image.magnification);
+                if light.max_element() >= MIN_LIGHT {
+                    bright = true;
+                    self.add(image.direction, light);
+                }
+            }
+            if !bright {
+                break;
+            }
+        }
+    }
+
+    fn add_arcs(&mut self, star: &PointStar) {
+        let (lens, disc_radius) = (self.lens, self.disc_radius);
+        let direction = self.camera.sky_from_hole.transpose() * star.direction;
+        let px = self.camera.right.length();
+        arcs(lens, direction, disc_radius, px, |piece| {
+            self.add(piece.direction, magnified(star.light, piece.magnification));
+        });
+    }
+
+    /// Adds light in the view direction `direction` (hole frame), unless it falls outside the picture.
+    fn add(&mut self, direction: DVec3, light: Vec3) {
+        let Some(at) = self.camera.project(direction) else {
+            return;
+        };
+        let size = DVec2::new(self.camera.width.into(), self.camera.height.into());
+        for (reach, light) in spread(light) {
+            let margin = DVec2::splat(reach);
+            if at.cmpgt(-margin).all() && at.cmplt(size + margin).all() {
+                self.splats.push(Splat { at, reach, light });
+            }
+        }
+    }
+}
+
+/// `light` times `magnification`, limited to [`MAX_LIGHT`] in its brightest channel.
+fn magnified(light: Vec3, magnification: f64) -> Vec3 {
+    let most = f64::from(MAX_LIGHT) / f64::from(light.max_element());
+    light * magnification.min(most) as f32
+}
+
+fn add(picture: &mut Picture, splat: &Splat) {
+    let (width, height) = (picture.width(), picture.height());
+    let covered = |at: f64, side: u32| {
+        let bound = |edge: f64| edge.clamp(0.0, side.into()) as u32;
+        bound(at - splat.reach)..bound(at + splat.reach + 1.0)
+    };
+    for row in covered(splat.at.y, height) {
+        for column in covered(splat.at.x, width) {
+            let middle = DVec2::new(column.into(), row.into()) + 0.5;
+            let light = splat.light * weight(middle - splat.at, splat.reach) as f32;
+            picture.add(column, row, light.to_array());
+        }
+    }
+}

@@ -1,0 +1,306 @@
+//! The figure: error in image space against time a ray, log–log, with the Pareto front.
+
+use super::{Chart, Family, MeasuredDeflection};
+use crate::figure::drawing::{Area, Figure, Ink, text};
+use crate::figure::{LogAxis, PixelBox, Plane, Ticks};
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::error::Error;
+
+const SIZE: (u32, u32) = (1600, 1000);
+const FRAME: PixelBox = PixelBox {
+    left: 150,
+    top: 150,
+    right: 1560,
+    bottom: 870,
+};
+/// Room left on either side of the times for labels, as a factor.
+const ROOM: f64 = 2.0;
+/// An error of 0 is drawn here: f32 has none that small.
+const MIN_ERROR: f64 = 1e-9;
+/// Least distance between the labels of a family, pixels.
+const LINE: i32 = 28;
+/// Distance of a label from its mark and the bar of its spread, pixels.
+const ASIDE: i32 = 24;
+/// From the middle of a line of text to what looks like its middle, pixels.
+const LETTERS: i32 = 4;
+
+/// The figure of a chart.
+#[derive(Debug)]
+pub struct ChartFigure<'a>(pub &'a Chart);
+
+impl Figure for ChartFigure<'_> {
+    fn size(&self) -> (u32, u32) {
+        SIZE
+    }
+
+    fn draw<DB: DrawingBackend>(&self, area: &Area<DB>) -> Result<(), Box<dyn Error>>
+    where
+        DB::ErrorType: 'static,
+    {
+        draw(self.0, area)
+    }
+}
+
+/// A method at its pixel.
+struct Mark<'a> {
+    entry: &'a MeasuredDeflection,
+    at: (i32, i32),
+    /// The ends of the bar that shows the spread of its time.
+    bar: [(i32, i32); 2],
+}
+
+impl<'a> Mark<'a> {
+    fn new(entry: &'a MeasuredDeflection, plane: &Plane) -> Self {
+        let (time, error) = (entry.times.best(), entry.errors.pixels.max);
+        let spread = time.spread.min(0.9);
+        let end = |sign: f64| plane.at(time.ns * (1.0 + sign * spread), error);
+        Mark {
+            entry,
+            at: plane.at(time.ns, error),
+            bar: [end(-1.0), end(1.0)],
+        }
+    }
+}
+
+fn draw<DB: DrawingBackend>(chart: &Chart, area: &Area<DB>) -> Result<(), Box<dyn Error>>
+where
+    DB::ErrorType: 'static,
+{
+    area.fill(&WHITE)?;
+    draw_title(chart, area)?;
+    let point = |entry: &MeasuredDeflection| (entry.ns(), entry.errors.pixels.max);
+    let points: Vec<_> = chart.entries.iter().map(point).collect();
+    let plane = plane_around(&points);
+    let clock = if chart.entries.iter().all(|e| e.times.gpu.is_some()) {
+        "time a ray by the device's timestamps, ns"
+    } else {
+        "time a ray by the wall clock, ns"
+    };
+    plane.draw(area, clock, "largest error in image space, pixels")?;
+    plane.draw_front(area, &points, FRONT.stroke_width(6))?;
+    for family in Family::ALL {
+        let marks: Vec<Mark> = chart
+            .entries
+            .iter()
+            .filter(|entry| entry.family == family)
+            .map(|entry| Mark::new(entry, &plane))
+            .collect();
+        draw_family(area, family, &marks)?;
+    }
+    draw_legend(area)?;
+    area.present()?;
+    Ok(())
+}
+
+fn draw_title<DB: DrawingBackend>(chart: &Chart, area: &Area<DB>) -> Result<(), Box<dyn Error>>
+where
+    DB::ErrorType: 'static,
+{
+    let (width, height) = chart.size;
+    let title = format!("One frame on {}", chart.adapter);
+    area.draw(&Text::new(title, (FRAME.left, 26), text(36)))?;
+    let kind = if chart.software {
+        " — drawn by the CPU: no GPU's times"
+    } else {
+        ""
+    };
+    let subtitle = format!(
+        "{width} × {height}, camera at r = {}, median of {} rounds{kind}",
+        chart.radius, chart.rounds
+    );
+    area.draw(&Text::new(
+        subtitle,
+        (FRAME.left, 78),
+        text(28).color(&Ink::GREY),
+    ))?;
+    Ok(())
+}
+
+/// The plane that holds all points (time, error): whole decades of the error.
+fn plane_around(points: &[(f64, f64)]) -> Plane {
+    let range = |of: fn(&(f64, f64)) -> f64| {
+        let values = points.iter().map(of).filter(|v| v.is_finite() && *v > 0.0);
+        values.fold((f64::MAX, f64::MIN_POSITIVE), |(least, most), v| {
+            (least.min(v), most.max(v))
+        })
+    };
+    let (fastest, slowest) = range(|p| p.0);
+    let (least, most) = range(|p| p.1.max(MIN_ERROR));
+    let decades = 10f64.powf(least.log10().floor())..=10f64.powf(most.log10().ceil());
+    Plane {
+        frame: FRAME,
+        cost: LogAxis::new(fastest / ROOM..=slowest * ROOM, Ticks::OneTwoFive),
+        error: LogAxis::new(decades, Ticks::Decades(1)),
+    }
+}
+
+fn draw_family<DB: DrawingBackend>(
+    area: &Area<DB>,
+    family: Family,
+    marks: &[Mark],
+) -> Result<(), Box<dyn Error>>
+where
+    DB::ErrorType: 'static,
+{
+    let colour = colour(family);
+    let way: Vec<_> = marks.iter().map(|mark| mark.at).collect();
+    area.draw(&PathElement::new(way, colour.stroke_width(2)))?;
+    for mark in marks {
+        area.draw(&PathElement::new(mark.bar.to_vec(), colour.stroke_width(4)))?;
+        draw_mark(area, family, mark.at)?;
+    }
+    draw_labels(area, family, marks)
+}
+
+fn draw_mark<DB: DrawingBackend>(
+    area: &Area<DB>,
+    family: Family,
+    at: (i32, i32),
+) -> Result<(), Box<dyn Error>>
+where
+    DB::ErrorType: 'static,
+{
+    let style = colour(family).filled();
+    match family {
+        Family::Hermite => area.draw(&Circle::new(at, 9, style))?,
+        Family::Linear => area.draw(&TriangleMarker::new(at, 12, style))?,
+        Family::Direct => {
+            let (x, y) = at;
+            let diamond = vec![(x - 12, y), (x, y - 12), (x + 12, y), (x, y + 12)];
+            area.draw(&Polygon::new(diamond, style))?;
+        }
+        Family::Flat => {
+            let (x, y) = at;
+            area.draw(&Rectangle::new([(x - 9, y - 9), (x + 9, y + 9)], style))?;
+        }
+    }
+    Ok(())
+}
+
+/// The labels of a family beside its marks, moved apart where they would hide each other.
+fn draw_labels<DB: DrawingBackend>(
+    area: &Area<DB>,
+    family: Family,
+    marks: &[Mark],
+) -> Result<(), Box<dyn Error>>
+where
+    DB::ErrorType: 'static,
+{
+    let (side, anchor) = match family {
+        Family::Linear | Family::Flat => (-1, HPos::Right),
+        Family::Hermite | Family::Direct => (1, HPos::Left),
+    };
+    let colour = colour(family);
+    let style = text(26).color(&colour).pos(Pos::new(anchor, VPos::Center));
+    let mut marks: Vec<&Mark> = marks.iter().collect();
+    marks.sort_by_key(|mark| mark.at.1);
+    let heights = apart(&marks.iter().map(|mark| mark.at.1).collect::<Vec<_>>());
+    for (mark, y) in marks.into_iter().zip(heights) {
+        let [left, right] = mark.bar;
+        let end = if side < 0 { left } else { right };
+        let beside_mark = mark.at.0 + side * 12;
+        let x = side * (side * end.0).max(side * beside_mark) + side * ASIDE;
+        let leader = vec![(x - side * (ASIDE - 4), mark.at.1), (x - side * 6, y)];
+        area.draw(&PathElement::new(leader, colour.stroke_width(1)))?;
+        let name = mark.entry.name.clone();
+        draw_ground(area, (x, y), side, area.estimate_text_size(&name, &style)?)?;
+        area.draw(&Text::new(name, (x, y + LETTERS), style.clone()))?;
+    }
+    Ok(())
+}
+
+/// White ground for a label of this size that begins at a point and goes to one side of it.
+fn draw_ground<DB: DrawingBackend>(
+    area: &Area<DB>,
+    (x, y): (i32, i32),
+    side: i32,
+    (width, height): (u32, u32),
+) -> Result<(), Box<dyn Error>>
+where
+    DB::ErrorType: 'static,
+{
+    let (far, half) = (x + side * width as i32, height as i32 / 2);
+    let corners = [(x.min(far), y - half), (x.max(far), y + half)];
+    area.draw(&Rectangle::new(corners, WHITE.filled()))?;
+    Ok(())
+}
+
+/// Heights that follow the given ones, which rise, but are [`LINE`] apart and above the floor.
+fn apart(heights: &[i32]) -> Vec<i32> {
+    let mut placed: Vec<i32> = Vec::new();
+    for &height in heights {
+        let least = placed.last().map_or(height, |last| last + LINE);
+        placed.push(height.max(least));
+    }
+    let mut floor = FRAME.bottom - LINE / 2;
+    for height in placed.iter_mut().rev() {
+        *height = floor.min(*height);
+        floor = *height - LINE;
+    }
+    placed
+}
+
+fn draw_legend<DB: DrawingBackend>(area: &Area<DB>) -> Result<(), Box<dyn Error>>
+where
+    DB::ErrorType: 'static,
+{
+    let (left, top) = (FRAME.right - 330, FRAME.top + 24);
+    let style = text(26).pos(Pos::new(HPos::Left, VPos::Center));
+    for (line, family) in Family::ALL.into_iter().enumerate() {
+        let y = top + 16 + 38 * line as i32;
+        draw_mark(area, family, (left, y))?;
+        area.draw(&Text::new(
+            family.name(),
+            (left + 30, y + LETTERS),
+            style.clone(),
+        ))?;
+    }
+    let y = top + 16 + 38 * Family::ALL.len() as i32;
+    let way = vec![(left - 14, y), (left + 14, y)];
+    area.draw(&PathElement::new(way, FRONT.stroke_width(6)))?;
+    area.draw(&Text::new(
+        "no method beats these",
+        (left + 30, y + LETTERS),
+        style,
+    ))?;
+    Ok(())
+}
+
+const FRONT: RGBColor = RGBColor(184, 218, 190);
+
+fn colour(family: Family) -> RGBColor {
+    match family {
+        Family::Hermite => RGBColor(207, 34, 46),
+        Family::Linear => RGBColor(188, 76, 0),
+        Family::Direct => RGBColor(9, 105, 218),
+        Family::Flat => Ink::DARK,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_plane_holds_all_points() {
+        let plane = plane_around(&[(4.0, 2e-4), (400.0, 300.0)]);
+        let (left, low) = plane.at(4.0, 2e-4);
+        let (right, high) = plane.at(400.0, 300.0);
+        assert!(FRAME.left < left && right < FRAME.right);
+        assert!(low < FRAME.bottom && high > FRAME.top);
+        let (middle, _) = plane.at(40.0, 1.0);
+        assert!((middle - (left + right) / 2).abs() <= 1);
+        assert_eq!(plane.at(40.0, 0.0).1, FRAME.bottom);
+        assert_eq!(plane.at(40.0, f64::INFINITY).1, FRAME.top);
+    }
+
+    #[test]
+    fn labels_are_moved_apart_and_stay_within() {
+        let heights = apart(&[200, 205, 400, FRAME.bottom - 2, FRAME.bottom - 1]);
+        assert_eq!(heights[0], 200);
+        assert_eq!(heights[2], 400);
+        assert!(heights.windows(2).all(|pair| pair[1] - pair[0] >= LINE));
+        assert!(heights.iter().all(|&h| h < FRAME.bottom));
+    }
+}

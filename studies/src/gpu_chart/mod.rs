@@ -1,0 +1,138 @@
+//! Chart of speed against accuracy on the current GPU: every method draws the same picture, in one run.
+
+mod contenders;
+pub mod csv;
+pub mod figure;
+
+pub use contenders::{Contender, Family, contenders};
+
+use crate::gpu_time::{FrameTimes, interleaved};
+use lensbake_render::diff::{Reference, TraceStatistics};
+use lensbake_render::gpu::{GpuError, Renderer};
+use lensbake_render::lens::{Lens, LensError};
+use lensbake_render::model::Cost;
+use lensbake_render::scene::Scene;
+use lensbake_render::sky::Sky;
+use std::sync::Arc;
+use thiserror::Error;
+
+/// How much to measure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Workload {
+    /// Rounds of timing; each round times every method once.
+    pub rounds: u32,
+}
+
+impl Workload {
+    /// For a chart to be kept.
+    pub const FULL: Workload = Workload { rounds: 15 };
+    /// For a quick check that the program works.
+    pub const QUICK: Workload = Workload { rounds: 3 };
+}
+
+/// Measurements of one method.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasuredDeflection {
+    /// Name within the family.
+    pub name: String,
+    /// Family of methods.
+    pub family: Family,
+    /// Cost by count.
+    pub cost: Cost,
+    /// Time per ray.
+    pub times: FrameTimes,
+    /// Error against the closed form.
+    pub errors: TraceStatistics,
+}
+
+impl MeasuredDeflection {
+    /// Time per ray, ns: by the GPU's timestamps, or by the wall clock without them.
+    pub fn ns(&self) -> f64 {
+        self.times.best().ns
+    }
+}
+
+/// Measurements of all methods on one adapter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chart {
+    /// Name of the adapter.
+    pub adapter: String,
+    /// Whether the adapter is software on the CPU, whose times are not those of a GPU.
+    pub software: bool,
+    /// Size of the picture, pixels.
+    pub size: (u32, u32),
+    /// Radius of the camera, units of r_s.
+    pub radius: f64,
+    /// Rounds of timing.
+    pub rounds: u32,
+    /// The methods.
+    pub entries: Vec<MeasuredDeflection>,
+}
+
+/// Why a chart cannot be measured.
+#[derive(Debug, Error)]
+pub enum ChartError {
+    /// The GPU failed.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+    /// A contender cannot be drawn.
+    #[error(transparent)]
+    Lens(#[from] LensError),
+    /// The picture shows only the hole.
+    #[error("the picture shows nothing but the hole: there is no error to measure")]
+    NoSky,
+}
+
+/// How many times [`measure`] calls `step`, for a progress bar.
+pub fn steps(workload: Workload, contenders: usize) -> u64 {
+    u64::from(workload.rounds) + contenders as u64
+}
+
+/// Measures all `contenders` on the picture of `sky` through `lens`, whose row must be the table's. `step` is
+/// called after the errors of each contender and after each round of timing.
+///
+/// # Errors
+/// [`ChartError`] if the GPU fails, or the picture shows no sky.
+pub async fn measure(
+    renderer: &Renderer,
+    lens: &Lens,
+    sky: &Arc<Sky>,
+    contenders: Vec<Contender>,
+    workload: Workload,
+    step: impl Fn(),
+) -> Result<Chart, ChartError> {
+    let reference = Reference::new(lens, || ());
+    let truth = reference.trace();
+    let mut errors = Vec::new();
+    for contender in &contenders {
+        let trace = renderer.trace(&contender.lens, |_| ()).await?;
+        let statistics = TraceStatistics::of(&reference.errors(&trace, &truth));
+        errors.push(statistics.ok_or(ChartError::NoSky)?);
+        step();
+    }
+    let mut prepared = Vec::new();
+    for contender in &contenders {
+        let scene = Scene::new(contender.lens.clone(), sky.clone());
+        prepared.push(renderer.prepare(&renderer.upload(&scene).await?));
+    }
+    let gpu = renderer.gpu();
+    let rays = lens.camera.pixels();
+    let times = interleaved(gpu, &prepared, rays, workload.rounds, step).await?;
+    let measured = contenders.into_iter().zip(times).zip(errors);
+    Ok(Chart {
+        adapter: gpu.name(),
+        software: gpu.is_software(),
+        size: (lens.camera.width, lens.camera.height),
+        radius: lens.camera.observer.radius(),
+        rounds: workload.rounds,
+        entries: measured
+            .map(|((contender, times), errors)| MeasuredDeflection {
+                name: contender.name,
+                family: contender.family,
+                cost: Cost::of(&contender.lens),
+                times,
+                errors,
+            })
+            .collect(),
+    })
+}

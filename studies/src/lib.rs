@@ -1,0 +1,27 @@
+//! Studies of speed and accuracy, and their figures.
+//!
+//! Studies of single rays: [`methods`] holds every method that computes a deflection angle (bending),
+//! [`method_chart`] charts their time against their error, [`stability`] tests them where methods fail, and
+//! [`table_error`] compares a table with the direct integrator and with the closed form.
+//!
+//! Studies of pictures (feature `render`): [`gpu_chart`] charts time against error on a GPU, [`mod@bench`] measures
+//! frame rates, [`reference`](mod@reference) compares pictures with supersampled ones, [`flicker`] follows stars
+//! through an orbit, and [`heat_map`] draws the error of each pixel.
+
+#[cfg(feature = "render")]
+pub mod bench;
+pub mod figure;
+#[cfg(feature = "render")]
+pub mod flicker;
+#[cfg(feature = "render")]
+pub mod gpu_chart;
+#[cfg(feature = "render")]
+pub mod gpu_time;
+#[cfg(feature = "render")]
+pub mod heat_map;
+pub mod method_chart;
+pub mod methods;
+#[cfg(feature = "render")]
+pub mod reference;
+pub mod stability;
+pub mod table_error;

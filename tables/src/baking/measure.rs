@@ -1,0 +1,66 @@
+//! The error that a table's header states: its lookup compared with the closed form, between the nodes of the
+//! table.
+
+use super::rays::{ObservedRay, off_nodes};
+use crate::statistics::ErrorStatistics;
+use crate::{Header, Measured, Row, Table, TableError};
+use lensbake_core::{Observer, exact};
+use rayon::prelude::*;
+
+/// Measures the error of `table` and writes it into the header. The error is infinite if the outcome of any ray
+/// differs from the closed form's, or if no ray was measured.
+///
+/// # Errors
+/// [`TableError`] if the table has no row for its own observers, which does not happen with a valid table.
+pub fn measured(table: Table) -> Result<Table, TableError> {
+    let rays = off_nodes(table.header());
+    let errors = lookup_errors(&table, &rays)?;
+    let max_error = ErrorStatistics::of(errors).map_or(f64::INFINITY, |errors| errors.max);
+    let radii = rays.iter().map(|s| s.observer.radius());
+    let gaps = rays.iter().map(|s| s.at.one_minus_x);
+    let header = Header {
+        measured: Measured {
+            max_error,
+            rays: rays.len() as u32,
+            r_min: radii.fold(f64::INFINITY, f64::min),
+            edge_gap: gaps.fold(1.0, f64::min),
+        },
+        ..table.header().clone()
+    };
+    table.with_header(header)
+}
+
+/// Lookup minus closed form for each ray of `rays`, rad, in the same order. NaN for a ray that either of them
+/// captures.
+///
+/// # Errors
+/// [`TableError::OtherObserver`] if the table holds only the row of another observer.
+pub fn lookup_errors(table: &Table, rays: &[ObservedRay]) -> Result<Vec<f64>, TableError> {
+    for_each_ray(table, rays, |row, ray| {
+        let looked_up = row.bend(ray.at).escaped().unwrap_or(f64::NAN);
+        let closed = exact::bend(&ray.observer.ray_at(ray.at));
+        looked_up - closed.escaped().unwrap_or(f64::NAN)
+    })
+}
+
+/// Calls `f` with each ray of `rays` and the row of its observer, in parallel. The row is interpolated once for
+/// each run of consecutive rays with the same observer.
+///
+/// # Errors
+/// [`TableError::OtherObserver`] if the table holds only the row of another observer.
+pub fn for_each_ray<T: Send>(
+    table: &Table,
+    rays: &[ObservedRay],
+    f: impl Fn(&Row, &ObservedRay) -> T + Sync,
+) -> Result<Vec<T>, TableError> {
+    let runs: Vec<&[ObservedRay]> = rays.chunk_by(|a, b| a.observer == b.observer).collect();
+    let answers: Result<Vec<Vec<T>>, TableError> = runs
+        .into_par_iter()
+        .map(|run| {
+            let observer: Observer = run[0].observer;
+            let row = table.row(observer)?;
+            Ok(run.iter().map(|ray| f(&row, ray)).collect())
+        })
+        .collect();
+    Ok(answers?.into_iter().flatten().collect())
+}

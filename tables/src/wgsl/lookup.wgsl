@@ -1,0 +1,83 @@
+// The lookup of the bending Δ (deflection angle) in a row, on a GPU. Its mirror in Rust is mirror.rs. Needs the
+// module `row`: `const ROW_LAST: u32`, the index of the row's last texel, `fn row_texel(i: u32) -> vec2<f32>`,
+// which loads a texel, and `fn interpolate(position: f32) -> vec2<f32>`, which is `linear` or `hermite`.
+// #import arithmetic
+// #import row
+
+// The shadow boundary (critical curve) as the observer sees it.
+struct ShadowEdge {
+    // tan(θ_c/2).
+    tan_half: f32,
+    // (5/18) cos θ_c, the coefficient of (1−x) ln(1−x) relative to that of ln(1−x).
+    log_weight: f32,
+    // dΔ/dx at x = 0, in the direction away from the hole.
+    away_slope: f32,
+}
+
+// Bound on sin θ and x. If both are below it and cos θ < 0, the ray looks straight away from the hole and Δ is
+// away_slope·x, with a relative error of 1e-6.
+const STRAIGHT_AWAY: f32 = 1e-3;
+
+struct Bending {
+    captured: bool,
+    // Δ, the deflection angle, rad.
+    bend: f32,
+    // dΔ/dθ, the derivative along the view angle.
+    slope: f32,
+}
+
+// Normalised shadow coordinate x = tan(θ_c/2) / tan(θ/2) of the unit direction (cos θ, sin θ) = (c, p), where
+// c ≥ −1 and p ≥ 0. Very large at θ = 0.
+fn shadow_coordinate(c: f32, p: f32, edge: ShadowEdge) -> f32 {
+    let cot_half = select(p / (1.0 - c), (1.0 + c) / max(p, 1e-30), c >= 0.0);
+    return edge.tan_half * cot_half;
+}
+
+// Linear interpolation at `position` (in texels): the value and its derivative per texel. Uses the values only.
+fn linear(position: f32) -> vec2<f32> {
+    let i = min(u32(position), ROW_LAST - 1u);
+    return chord(row_texel(i), row_texel(i + 1u), position - f32(i));
+}
+
+// Cubic Hermite interpolation at `position` (in texels): the value and its derivative per texel.
+fn hermite(position: f32) -> vec2<f32> {
+    let i = min(u32(position), ROW_LAST - 1u);
+    return cubic(row_texel(i), row_texel(i + 1u), position - f32(i));
+}
+
+// The bending in the direction with cos θ = c and sin θ = p, from a row on the residual axis:
+// Δ = R(q) − (1 + weight·d) ln d with d = 1 − x and q = √(1−√x). The slope is inaccurate straight away from the
+// hole: use `bending_for_footprint` there.
+fn bending(c: f32, p: f32, edge: ShadowEdge) -> Bending {
+    let x = shadow_coordinate(c, p, edge);
+    if x >= 1.0 {
+        return Bending(true, 0.0, 0.0);
+    }
+    let d = 1.0 - x;
+    let root = sqrt(x);
+    let q = sqrt(d / (1.0 + root));
+    let r = interpolate(q * f32(ROW_LAST));
+    let ln = log(d);
+    let factor = 1.0 + edge.log_weight * d;
+    // dΔ/dθ = dΔ/dx dx/dθ with dx/dq = −4 q √x and dx/dθ = −x/sin θ.
+    let dx_dq = -4.0 * q * max(root, 1e-9);
+    let by_x = r.y * f32(ROW_LAST) / dx_dq + edge.log_weight * ln + factor / d;
+    return Bending(false, r.x - factor * ln, -by_x * x / max(p, 1e-30));
+}
+
+// `bending`, replaced by its limit straight away from the hole. There the terms of the residual cancel, and the
+// size of a footprint is a quotient of the small remainders.
+fn bending_for_footprint(c: f32, p: f32, edge: ShadowEdge) -> Bending {
+    let x = shadow_coordinate(c, p, edge);
+    if c < 0.0 && max(p, x) < STRAIGHT_AWAY {
+        // dx/dθ = −x/sin θ, with x/sin θ = tan(θ_c/2)/(1 − cos θ).
+        return Bending(false, edge.away_slope * x, -edge.away_slope * edge.tan_half / (1.0 - c));
+    }
+    return bending(c, p, edge);
+}
+
+// (cos θ′, sin θ′) of the direction turned towards the hole by the bending Δ: θ′ = θ − Δ.
+fn turned(c: f32, p: f32, bend: f32) -> vec2<f32> {
+    let t = cos_sin(bend);
+    return vec2(c * t.x + p * t.y, p * t.x - c * t.y);
+}
