@@ -59,6 +59,8 @@ pub(super) struct FrameResources {
     row: RowTexture,
     regions: Vec<Region>,
     region_blocks: Buffer,
+    /// The blocks in that buffer.
+    uploaded_regions: Vec<RegionBlock>,
     region_stride: u64,
     queues: WorkQueues,
     bind_group: BindGroup,
@@ -126,6 +128,7 @@ impl FrameResources {
             row,
             regions: Vec::new(),
             region_blocks,
+            uploaded_regions: Vec::new(),
             region_stride,
             queues,
             bind_group,
@@ -173,8 +176,14 @@ impl FrameResources {
                 gain,
                 padding: 0,
             };
+            // They rarely change from frame to frame.
+            if self.uploaded_regions.get(i) == Some(&block) {
+                continue;
+            }
             let offset = i as u64 * self.region_stride;
             queue.write_buffer(&self.region_blocks, offset, bytemuck::bytes_of(&block));
+            self.uploaded_regions.truncate(i);
+            self.uploaded_regions.push(block);
         }
         self.row.show(queue, &lens.row);
     }
@@ -291,6 +300,7 @@ impl FrameResources {
         }
         if blocks > self.region_blocks.size() {
             self.region_blocks = uniform_buffer(device, "regions", blocks);
+            self.uploaded_regions.clear();
         }
         let inputs = ClassifierInputs {
             camera: &self.camera,

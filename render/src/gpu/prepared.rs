@@ -4,7 +4,7 @@ use super::frame_resources::{FrameResources, Target};
 use super::pipelines::Program;
 use super::region::dispatch_pixels;
 use super::renderer::Renderer;
-use super::source::{Output, Store};
+use super::source::{Output, PipelineKey, Store};
 use super::{GpuError, Passes, Region, ResidentScene, SkyOnDevice};
 use crate::lens::Lens;
 use crate::scene::Sampling;
@@ -25,9 +25,11 @@ pub struct Prepared {
 impl Prepared {
     /// Prepares the picture of `scene`.
     pub(super) fn picture(renderer: &Renderer, scene: &ResidentScene) -> Self {
-        let (lens, output) = (&scene.lens, Output::Picture(scene.sampling));
+        let lens = &scene.lens;
+        let output = Output::Picture(scene.sampling);
+        let key = PipelineKey::of(lens, output, Store::Buffer, scene.stars.is_some());
         let mut prepared = Prepared {
-            program: renderer.program(lens, output, Store::Buffer, scene.stars.is_some()),
+            program: renderer.program(key),
             sky: Some(scene.sky.clone()),
             resources: resources(renderer, lens, scene.sampling),
         };
@@ -40,7 +42,7 @@ impl Prepared {
     /// Prepares the trace: where the light of each pixel comes from.
     pub(super) fn trace(renderer: &Renderer, lens: &Lens) -> Self {
         Prepared {
-            program: renderer.program(lens, Output::Trace, Store::Buffer, false),
+            program: renderer.program(PipelineKey::of(lens, Output::Trace, Store::Buffer, false)),
             sky: None,
             resources: resources(renderer, lens, Sampling::Single),
         }

@@ -58,6 +58,8 @@ pub struct Presenter {
     fit: Fit,
     camera: Buffer,
     present: Buffer,
+    /// The block in that buffer.
+    uploaded: Option<Present>,
     bind_group: BindGroup,
 }
 
@@ -104,6 +106,7 @@ impl Presenter {
             layout,
             camera,
             present,
+            uploaded: None,
         }
     }
 
@@ -129,8 +132,11 @@ impl Presenter {
         self.fit = Fit::of(picture, [window.width, window.height], presentation.edge);
         self.queue
             .write_buffer(&self.camera, 0, bytemuck::bytes_of(&camera));
-        self.queue
-            .write_buffer(&self.present, 0, bytemuck::bytes_of(&present));
+        if self.uploaded != Some(present) {
+            self.queue
+                .write_buffer(&self.present, 0, bytemuck::bytes_of(&present));
+            self.uploaded = Some(present);
+        }
     }
 
     /// Encodes the drawing of the picture.

@@ -4,7 +4,7 @@
 use super::frame_resources::{FrameResources, Target};
 use super::pipelines::Program;
 use super::region::dispatch_pixels;
-use super::source::{Output, Store};
+use super::source::{Output, PipelineKey, Store};
 use super::{Passes, Region, Renderer, ResidentScene, SkyOnDevice, StarLight};
 use crate::lens::Deflection;
 use crate::scene::Sampling;
@@ -134,9 +134,9 @@ impl RealtimeRenderer {
                 DrawKind::Picture(deflection) => (deflection, Output::Picture(scene.sampling)),
                 DrawKind::Difference => (direct, Output::Difference),
             };
-            let lens = &lens.with_deflection(deflection);
-            let stars = scene.stars.is_some();
-            let program = self.renderer.program(lens, output, Store::Texture, stars);
+            let (row, stars) = (lens.row.shape(), scene.stars.is_some());
+            let key = PipelineKey::new(deflection, output, Store::Texture, row, stars);
+            let program = self.renderer.program(key);
             for region in part.bands(dispatch_pixels(deflection)) {
                 regions.push(region);
                 self.programs.push(program.clone());

@@ -1,7 +1,7 @@
 //! Draws scenes on a GPU.
 
 use super::pipelines::{Pipelines, Program};
-use super::source::{Output, PipelineKey, Store};
+use super::source::PipelineKey;
 use super::stars::StarsOnDevice;
 use super::{Gpu, GpuError, Passes, Prepared, Region, ResidentScene, SkyOnDevice};
 use crate::lens::Lens;
@@ -52,16 +52,8 @@ impl Renderer {
         &self.pipelines
     }
 
-    /// The program that draws `output` through `lens`. Compiles it the first time.
-    pub(super) fn program(
-        &self,
-        lens: &Lens,
-        output: Output,
-        store: Store,
-        stars: bool,
-    ) -> Arc<Program> {
-        let row = lens.row.shape();
-        let key = PipelineKey::new(lens.deflection, output, store, row, stars);
+    /// The program of `key`. Compiles it the first time.
+    pub(super) fn program(&self, key: PipelineKey) -> Arc<Program> {
         self.pipelines.program(key)
     }
 

@@ -1,7 +1,7 @@
 //! The key of a pipeline, and its WGSL source.
 
 use super::stars;
-use crate::lens::Deflection;
+use crate::lens::{Deflection, Lens};
 use crate::scene::Sampling;
 use crate::shaders::Modules;
 use lensbake_tables::lookup::RowShape;
@@ -76,6 +76,11 @@ impl PipelineKey {
             row,
             stars: stars && matches!(output, Output::Picture(_)),
         }
+    }
+
+    /// The key of a pipeline that computes `output` through `lens`.
+    pub(super) fn of(lens: &Lens, output: Output, store: Store, stars: bool) -> Self {
+        PipelineKey::new(lens.deflection, output, store, lens.row.shape(), stars)
     }
 
     /// The key of the pipelines that classify tiles for this one; `None` if it does not draw by tiles.

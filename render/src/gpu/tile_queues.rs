@@ -189,7 +189,7 @@ mod tests {
         let mut resources = FrameResources::on_buffer(renderer, most);
         resources.show(lens, Sampling::Filtered, regions.iter().copied(), 1.0);
         let output = Output::Picture(Sampling::Filtered);
-        let program = renderer.program(lens, output, Store::Buffer, false);
+        let program = renderer.program(PipelineKey::of(lens, output, Store::Buffer, false));
         for index in 0..regions.len() {
             let mut encoder = device.create_command_encoder(&Default::default());
             resources.encode(&mut encoder, Some(sky), &program, index, None);
