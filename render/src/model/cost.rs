@@ -60,7 +60,7 @@ impl fmt::Display for Cost {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(
             f,
-            "{:5} bytes a frame, {} loads and {:4} operations a ray",
+            "{:5} bytes per frame, {} loads and {:4} operations per ray",
             self.bytes, self.loads, self.operations
         )
     }

@@ -34,7 +34,7 @@ struct Curve {
 /// The curves, from the lowest to the topmost layer.
 const CURVES: [Curve; 3] = [
     Curve {
-        name: "a texel, one ray a pixel",
+        name: "a texel, one ray per pixel",
         colour: NEAREST,
         width: 4,
         at: |frame| frame.texel.map(|texel| texel.nearest),

@@ -1,4 +1,4 @@
-//! The figure: error in image space against time a ray, log–log, with the Pareto front.
+//! The figure: error in image space against time per ray, log–log, with the Pareto front.
 
 use super::{Chart, Family, MeasuredDeflection};
 use crate::figure::drawing::{Area, Figure, Ink, text};
@@ -73,9 +73,9 @@ where
     let points: Vec<_> = chart.entries.iter().map(point).collect();
     let plane = plane_around(&points);
     let clock = if chart.entries.iter().all(|e| e.times.gpu.is_some()) {
-        "time a ray by the device's timestamps, ns"
+        "time per ray by the device's timestamps, ns"
     } else {
-        "time a ray by the wall clock, ns"
+        "time per ray by the wall clock, ns"
     };
     plane.draw(area, clock, "largest error in image space, pixels")?;
     plane.draw_front(area, &points, FRONT.stroke_width(6))?;

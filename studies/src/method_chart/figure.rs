@@ -130,7 +130,11 @@ impl Figure for ChartFigure<'_> {
             cost: LogAxis::new(1.0..=1e5, Ticks::Times),
             error: self.unit.axis(),
         };
-        plane.draw(area, "time a ray on one CPU thread", self.unit.axis_name())?;
+        plane.draw(
+            area,
+            "time per ray on one CPU thread",
+            self.unit.axis_name(),
+        )?;
         let marks = self.marks(&plane);
         let point = |entry: &MeasuredMethod| (entry.ns, self.unit.error(entry));
         let points: Vec<_> = self.far().iter().map(point).collect();

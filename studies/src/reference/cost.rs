@@ -61,7 +61,7 @@ impl fmt::Display for Cost {
         let (single, filtered) = (self.single.best(), self.filtered.best());
         write!(
             f,
-            "r = {:<5} one ray {:6.2} ns a pixel (spread {:.0} %), filtered {:6.2} ns ({:.0} %): {:.2} times",
+            "r = {:<5} one ray {:6.2} ns per pixel (spread {:.0} %), filtered {:6.2} ns ({:.0} %): {:.2} times",
             self.radius,
             single.ns,
             100.0 * single.spread,

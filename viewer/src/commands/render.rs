@@ -118,7 +118,7 @@ fn extra_rays(lens: &Lens) -> String {
     let extra = cpu::by_pixel(camera, || (), |column, row| pixels.extra_rays(column, row));
     let extra: u64 = extra.into_iter().map(u64::from).sum();
     let percent = 100.0 * extra as f64 / camera.pixels() as f64;
-    format!("{extra} extra rays beside the shadow's edge, {percent:.2} % of one a pixel")
+    format!("{extra} extra rays beside the shadow's edge, {percent:.2} % of one per pixel")
 }
 
 /// Draws `scene` on the GPU if there is one, else on the CPU; returns the picture and the name of the device. If

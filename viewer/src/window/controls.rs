@@ -221,14 +221,14 @@ fn costs(ui: &mut Ui, facts: &PanelInfo) {
     let ms = |s: f64| format!("{:.2} ms", 1e3 * s);
     let rows = [
         (
-            "frames a second",
+            "frames per second",
             shown(facts.interval, |s| format!("{:.1}", 1.0 / s), 1.0),
         ),
         ("frame on the GPU", shown(facts.frame_time, ms, 1.0)),
         ("picture", format!("{width} × {height}")),
         ("picture on the GPU", shown(facts.picture_time, ms, 1.0)),
         (
-            "a ray (T_ray)",
+            "per ray (T_ray)",
             shown(facts.picture_time, |s| format!("{:.2} ns", 1e9 * s), rays),
         ),
         ("table", facts.table.clone()),

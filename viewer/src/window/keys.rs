@@ -174,7 +174,7 @@ pub const BINDINGS: &[Binding] = &[
     binding(
         &[changes(KeyCode::KeyV, Change::ToggleFilter)],
         "V",
-        "the mean over each pixel, or one ray a pixel",
+        "the mean over each pixel, or one ray per pixel",
     ),
     binding(
         &[changes(KeyCode::KeyM, Change::NextComparison)],
