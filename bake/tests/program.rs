@@ -108,7 +108,7 @@ fn query_says_captured_and_prints_seventeen_digits() {
 }
 
 #[test]
-fn questions_that_are_none_name_their_line() {
+fn invalid_questions_name_their_line() {
     for (input, word) in [
         ("10 30\n1 40", "greater than 1"),
         ("10 30\n10 181", "0 to 180"),

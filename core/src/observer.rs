@@ -323,7 +323,7 @@ mod tests {
     }
 
     #[test]
-    fn angles_that_are_none_are_refused() {
+    fn invalid_angles_are_refused() {
         let observer = Observer::at(4.0).unwrap();
         for theta in [-1e-9, 3.2, f64::NAN, f64::INFINITY] {
             assert!(matches!(observer.ray(theta), Err(CoreError::ViewAngle(_))));

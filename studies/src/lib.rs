@@ -1,8 +1,10 @@
 //! Studies of speed and accuracy, and their figures.
 //!
-//! Studies of single rays: [`methods`] holds every method that computes a deflection angle (bending),
-//! [`method_chart`] charts their time against their error, [`stability`] tests them where methods fail, and
-//! [`table_error`] compares a table with the direct integrator and with the closed form.
+//! [`table_error`] compares a table with the direct integrator and with the closed form; [`figure`] draws.
+//!
+//! Studies of single rays (feature `methods`): [`methods`] holds every method that computes a deflection angle
+//! (bending), [`method_chart`] charts their time against their error, and [`stability`] tests them where methods
+//! fail.
 //!
 //! Studies of pictures (feature `render`): [`gpu_chart`] charts time against error on a GPU, [`mod@bench`] measures
 //! frame rates, [`reference`](mod@reference) compares pictures with supersampled ones, [`flicker`] follows stars
@@ -19,9 +21,12 @@ pub mod gpu_chart;
 pub mod gpu_time;
 #[cfg(feature = "render")]
 pub mod heat_map;
+#[cfg(feature = "methods")]
 pub mod method_chart;
+#[cfg(feature = "methods")]
 pub mod methods;
 #[cfg(feature = "render")]
 pub mod reference;
+#[cfg(feature = "methods")]
 pub mod stability;
 pub mod table_error;

@@ -8,7 +8,7 @@ const VIEWER: Program = Program::at(env!("CARGO_BIN_EXE_viewer"));
 
 /// The window's flags are checked before there is a window: these need no screen.
 #[test]
-fn views_that_are_none_are_refused_by_the_name_of_their_flag() {
+fn invalid_views_are_refused_by_the_name_of_their_flag() {
     let cases: &[(&[&str], &[&str])] = &[
         (&["-r", "nan"], &["--radius", "NaN"]),
         (&["-r", "1"], &["--radius", "greater than 1"]),
@@ -96,7 +96,7 @@ fn an_unknown_backend_is_named_with_those_that_are_known() {
 
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
-fn an_empty_backend_is_none_asked_for() {
+fn an_empty_backend_counts_as_unset() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out.png");
     let draw = ["render", "--size", "16x9", "-s", "grid", "-d", "gpu", "-o"];

@@ -53,7 +53,7 @@ fn a_budget_that_nothing_keeps_is_missed_and_drawn_all_the_same() {
 }
 
 #[test]
-fn budgets_that_are_none_are_refused() {
+fn invalid_budgets_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     for budget in ["0", "-1", "nan", "inf"] {
         let run = render(folder.path(), &["--budget-px", budget]);
