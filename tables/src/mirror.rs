@@ -1,5 +1,5 @@
 //! Mirrors of the WGSL functions of the lookup: Rust functions in f32 with the same names and the same operations.
-//! The results of a device agree with these to the last bits; `tests/tests/mirrors/` checks this on every adapter.
+//! The results of a device agree with these up to rounding; `tests/tests/mirrors/` checks this on every adapter.
 
 use crate::Interpolation;
 use crate::interpolation::{chord, cubic};
