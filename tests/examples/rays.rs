@@ -194,7 +194,7 @@ const PROBE: &str = "
 @compute @workgroup_size(64)
 fn probe(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= arrayLength(&rays) { return; }
-    let bent = bending(rays[id.x].x, rays[id.x].y, Edge(TAN_HALF, LOG_WEIGHT, AWAY_SLOPE));
+    let bent = bending(rays[id.x].x, rays[id.x].y, ShadowEdge(TAN_HALF, LOG_WEIGHT, AWAY_SLOPE));
     answers[id.x] = array(f32(bent.captured), bent.bend, bent.slope);
 }";
 
