@@ -185,7 +185,7 @@ fn short(verdict: Verdict) -> String {
     match verdict {
         Verdict::Right => "ok".to_owned(),
         Verdict::Off(error) => format!("{error:.0e}"),
-        Verdict::WrongOutcome => "outcome".to_owned(),
+        Verdict::WrongOutcome => "wrong".to_owned(),
         Verdict::NotANumber => "NaN".to_owned(),
         Verdict::Unfinished => "cap".to_owned(),
         Verdict::Refused => "no".to_owned(),
@@ -240,7 +240,7 @@ mod tests {
         };
         let map = HeatMap { atlas: &atlas };
         let text = svg(&map).unwrap();
-        for word in ["a group", "a regime", "lensbake default row", "outcome"] {
+        for word in ["a group", "a regime", "lensbake default row", "wrong"] {
             assert!(text.contains(word), "{word}");
         }
         assert!(png(&map).unwrap().starts_with(b"\x89PNG"));
