@@ -194,7 +194,7 @@ const PROBE: &str = "
 @compute @workgroup_size(64)
 fn probe(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= arrayLength(&rays) { return; }
-    let bent = bending(rays[id.x].x, rays[id.x].y, ShadowEdge(TAN_HALF, LOG_WEIGHT, AWAY_SLOPE));
+    let bent = bending(rays[id.x].x, rays[id.x].y, EDGE);
     answers[id.x] = array(f32(bent.captured), bent.bend, bent.slope);
 }";
 
@@ -202,18 +202,8 @@ fn on_gpu(gpu: &Gpu, rays: usize) -> Count {
     let mut all = Count::default();
     for seed in 0..rays.div_ceil(MILLION) as u64 {
         let (observer, row, rays) = batch(1 << 40 | seed, MILLION);
-        let edge = row.edge;
-        let source = [
-            &row.shape().wgsl(0, 1),
-            lookup::WGSL,
-            &format!(
-                "const TAN_HALF: f32 = {:e};\nconst LOG_WEIGHT: f32 = {:e};\n\
-                 const AWAY_SLOPE: f32 = {:e};\n",
-                edge.tan_half, edge.log_weight, edge.away_slope
-            ),
-            PROBE,
-        ]
-        .join("\n");
+        let constants = probe::shadow_edge(row.edge);
+        let source = [&row.shape().wgsl(0, 1), lookup::WGSL, &constants, PROBE].join("\n");
         let bindings = Bindings {
             questions: 0,
             answers: 2,

@@ -1,8 +1,8 @@
 //! Probes of WGSL functions: evaluates them on a GPU for many inputs.
 
-use lensbake_render::gpu::Gpu;
+use lensbake_render::gpu::{Gpu, texture};
 use lensbake_tables::Interpolation;
-use lensbake_tables::lookup::RowShape;
+use lensbake_tables::lookup::{RowShape, ShadowEdge};
 use pollster::block_on;
 use wgpu::util::DeviceExt;
 use wgpu::*;
@@ -86,24 +86,25 @@ fn row_texture(gpu: &Gpu, texels: &[[f32; 2]]) -> TextureView {
     let [width, height] = shape.texture_size();
     let mut lines = texels.to_vec();
     lines.resize((width * height) as usize, [0.0; 2]);
-    let descriptor = TextureDescriptor {
-        label: None,
-        size: Extent3d {
-            width,
-            height,
-            depth_or_array_layers: 1,
-        },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: TextureDimension::D2,
-        format: TextureFormat::Rg32Float,
-        usage: TextureUsages::TEXTURE_BINDING,
-        view_formats: &[],
+    let usage = TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST;
+    let size = [width, height];
+    let texture = texture(&gpu.device, "row", size, TextureFormat::Rg32Float, usage);
+    let layout = TexelCopyBufferLayout {
+        offset: 0,
+        bytes_per_row: Some(width * size_of::<[f32; 2]>() as u32),
+        rows_per_image: None,
     };
-    let order = util::TextureDataOrder::LayerMajor;
-    let contents = bytemuck::cast_slice(&lines);
-    let texture = gpu
-        .device
-        .create_texture_with_data(&gpu.queue, &descriptor, order, contents);
+    let (to, bytes) = (texture.as_image_copy(), bytemuck::cast_slice(&lines));
+    gpu.queue.write_texture(to, bytes, layout, texture.size());
     texture.create_view(&Default::default())
+}
+
+/// WGSL of the constant `EDGE`: the shadow's edge that a row is looked up with.
+pub fn shadow_edge(edge: ShadowEdge) -> String {
+    let ShadowEdge {
+        tan_half,
+        log_weight,
+        away_slope,
+    } = edge;
+    format!("const EDGE = ShadowEdge({tan_half:e}, {log_weight:e}, {away_slope:e});\n")
 }

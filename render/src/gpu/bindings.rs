@@ -93,3 +93,13 @@ pub(super) fn storage_texture_binding(format: TextureFormat) -> BindingType {
         view_dimension: TextureViewDimension::D2,
     }
 }
+
+/// A uniform buffer of this size in bytes, to be written by the queue.
+pub(super) fn uniform_buffer(device: &Device, label: &str, size: u64) -> Buffer {
+    device.create_buffer(&BufferDescriptor {
+        label: Some(label),
+        size,
+        usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
+}

@@ -2,7 +2,7 @@
 //! picture. The next scene is written into the same resources; they are created anew only for another size of
 //! picture or another shape of row.
 
-use super::bindings::{bind_group, block_of};
+use super::bindings::{bind_group, block_of, uniform_buffer};
 use super::camera_block::{CameraBlock, RegionBlock};
 use super::layouts::TEXTURE_FORMAT;
 use super::pipelines::{Pipelines, Program};
@@ -343,15 +343,6 @@ impl RowTexture {
         queue.write_texture(place, &bytes, layout, self.texture.size());
         self.shown = Some(row.clone());
     }
-}
-
-fn uniform_buffer(device: &Device, label: &str, size: u64) -> Buffer {
-    device.create_buffer(&BufferDescriptor {
-        label: Some(label),
-        size,
-        usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    })
 }
 
 fn draw_group(

@@ -1,6 +1,8 @@
 //! The last render pass, which presents the finished picture in a window: `shaders/present.wgsl`.
 
-use super::bindings::{bind_group, bind_group_layout, texture_binding, uniform_binding};
+use super::bindings::{
+    bind_group, bind_group_layout, texture_binding, uniform_binding, uniform_buffer,
+};
 use super::{CameraBlock, Gpu, RealtimeRenderer};
 use crate::camera::Camera;
 use crate::shaders::Modules;
@@ -87,17 +89,9 @@ impl Presenter {
     /// A presenter for the pictures of `live` on surfaces of `format`.
     pub fn new(gpu: &Gpu, live: &RealtimeRenderer, format: TextureFormat) -> Self {
         let device = &gpu.device;
-        let uniform = |label, size: usize| {
-            device.create_buffer(&BufferDescriptor {
-                label: Some(label),
-                size: size as u64,
-                usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            })
-        };
         let layout = layout(device);
-        let camera = uniform("window", size_of::<CameraBlock>());
-        let present = uniform("present", size_of::<Present>());
+        let camera = uniform_buffer(device, "window", size_of::<CameraBlock>() as u64);
+        let present = uniform_buffer(device, "present", size_of::<Present>() as u64);
         Presenter {
             queue: gpu.queue.clone(),
             pipelines: pipelines(device, &layout, format),

@@ -37,31 +37,25 @@ const PROBE: &str = "
 fn probe(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= arrayLength(&inputs) { return; }
     let in = inputs[id.x];
-    let edge = ShadowEdge(EDGE_TAN_HALF, EDGE_LOG_WEIGHT, EDGE_AWAY_SLOPE);
-    let bent = bending(in.x, in.y, edge);
+    let bent = bending(in.x, in.y, EDGE);
     let trig = cos_sin(in.z);
     let sky = turned(in.x, in.y, bent.bend);
-    let of_footprint = bending_for_footprint(in.x, in.y, edge);
+    let of_footprint = bending_for_footprint(in.x, in.y, EDGE);
     let line = chord(in.xy, in.yz, in.w);
     let curve = cubic(in.xy, in.yz, in.w);
-    probes[id.x] = array(shadow_coordinate(in.x, in.y, edge), f32(bent.captured), bent.bend, bent.slope,
+    probes[id.x] = array(shadow_coordinate(in.x, in.y, EDGE), f32(bent.captured), bent.bend, bent.slope,
         trig.x, trig.y, sky.x, sky.y, of_footprint.bend, of_footprint.slope, angle(in.x, in.y),
         line.x, line.y, curve.x, curve.y);
 }";
 
 fn probe(gpu: &Gpu, row: &GpuRow, inputs: &[[f32; 4]]) -> Vec<Probe> {
-    let (edge, texels) = (row.edge, row.texels.as_slice());
-    let constants = format!(
-        "const EDGE_TAN_HALF: f32 = {:e};\nconst EDGE_LOG_WEIGHT: f32 = {:e};\n\
-         const EDGE_AWAY_SLOPE: f32 = {:e};\n",
-        edge.tan_half, edge.log_weight, edge.away_slope
-    );
+    let constants = probe::shadow_edge(row.edge);
     let source = [&row.shape().wgsl(0, 1), lookup::WGSL, &constants, PROBE].join("\n");
     let bindings = Bindings {
         questions: 0,
         answers: 2,
     };
-    probe::probe(gpu, source, bindings, inputs, Some((1, texels)))
+    probe::probe(gpu, source, bindings, inputs, Some((1, &row.texels)))
 }
 
 /// Directions all around, concentrated at the shadow's edge from both sides and at the direction away from the
