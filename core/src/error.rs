@@ -1,12 +1,25 @@
-use crate::MAX_DISTANCE;
+use crate::{MAX_DISTANCE, MIN_RADIUS};
 use thiserror::Error;
 
 /// Input for which no ray exists or none can be computed.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum CoreError {
     /// The observer's radius is not above the horizon.
-    #[error("radius {0} is not above the horizon: r must be greater than 1 (in units of r_s)")]
+    #[error(
+        "radius {0} is not above the horizon: r must be greater than 1 (in units of r_s), unless the observer falls"
+    )]
     Radius(f64),
+    /// The radius is below [`MIN_RADIUS`], too close to the singularity.
+    #[error("radius {0} is not from {MIN_RADIUS:e} to infinity (in units of r_s)")]
+    Singularity(f64),
+    /// There is no circular orbit at this radius.
+    #[error(
+        "there is no circular orbit at radius {0}: r must be greater than 1.5 (in units of r_s)"
+    )]
+    NoOrbit(f64),
+    /// The velocity is not below that of light.
+    #[error("a speed of {0} is not below 1, the speed of light")]
+    Speed(f64),
     /// The radius or the impact parameter is finite, but too large to compute with.
     #[error(
         "{what} {found:e} is beyond {MAX_DISTANCE:e}, the largest that is computed with; an observer \

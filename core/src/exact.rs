@@ -210,6 +210,22 @@ mod tests {
         }
 
         #[test]
+        fn integration_agrees_for_the_falling_observer(
+            r in prop_oneof![
+                decades(0.0..2.0),
+                decades(1.0..9.0).prop_map(|d| 1.0 + d),
+                decades(1.0..9.0).prop_map(|d| 1.0 - d),
+                decades(1.0..9.0).prop_map(|d| 1.5 + d),
+                1.0..30.0,
+            ],
+            at in sights(),
+        ) {
+            let ray = Observer::falling(r).unwrap().ray_at(at);
+            let closed = bend(&ray).escaped().unwrap();
+            prop_assert!((closed - rk4(&ray)).abs() < 1e-10, "{closed} against {}", rk4(&ray));
+        }
+
+        #[test]
         fn a_view_angle_gives_the_same_ray_as_its_shadow_coordinate(
             r in 1.001..100.0, theta in 0.01..3.13,
         ) {

@@ -8,20 +8,26 @@
 //! d²u/dφ² = −u + (3/2) u²,     (du/dφ)² = 1/b² − u² + u³
 //! ```
 //!
-//! with φ the orbital angle and b the impact parameter. A static observer at r looks in the direction at the view
-//! angle θ from the hole. Without the hole, the sky at θ is seen there; with it, the sky at θ′ = θ − Δ. This crate
-//! computes the deflection angle Δ, called the *bending*:
+//! with φ the orbital angle and b the impact parameter. An observer at r looks in the direction at the view angle θ
+//! from the hole. Without the hole, the sky at θ is seen there; with it, the sky at θ′ = θ − Δ. This crate computes the
+//! deflection angle Δ, called the *bending*:
 //!
 //! - [`direct`] integrates the Binet equation by RK4; the bending tables are computed with it;
 //! - [`exact`] evaluates the closed form in elliptic integrals: the reference that [`direct`] is checked against;
 //! - [`series`] holds the weak-field and the strong-deflection limit for an observer at infinity.
 //!
-//! The first two take a [`Ray`], which an [`Observer`] creates. The crate depends on no other crate of the project
+//! The first two take a [`Ray`], which an [`Observer`] creates: at rest, or in any radial motion, above or below the
+//! horizon. A [`MovingFrame`] is the frame of an observer in any motion; it adds the aberration of the view direction and
+//! the frequency shift. [`geodesic`] has the free fall and the circular orbit by proper time.
+//!
+//! The crate depends on no other crate of the project
 //! and contains nothing about files, tables or GPUs.
 
 pub mod direct;
 mod error;
 pub mod exact;
+pub mod geodesic;
+mod motion;
 mod observer;
 mod ray;
 mod ray_outcome;
@@ -30,6 +36,7 @@ pub mod series;
 
 pub use direct::BendAndSlope;
 pub use error::CoreError;
+pub use motion::{Boost, Motion, MovingFrame, UnboostedDirection};
 pub use observer::{Observer, ShadowCoordinate};
 pub use ray::{Path, Ray};
 pub use ray_outcome::RayOutcome;
@@ -40,6 +47,9 @@ pub const B_CRIT: f64 = 2.598_076_211_353_316;
 /// Largest finite radius and impact parameter that are supported, in units of r_s: beyond it the squares of 1/r
 /// and 1/b lose precision.
 pub const MAX_DISTANCE: f64 = 1e150;
+
+/// Smallest radius that is supported, in units of r_s.
+pub const MIN_RADIUS: f64 = 1e-6;
 
 /// Radius of the photon sphere, 3/2 in units of r_s.
 pub const R_PHOTON: f64 = 1.5;

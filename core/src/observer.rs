@@ -1,21 +1,33 @@
-//! A static observer, the shadow boundary as this observer sees it, and the normalised shadow coordinate x.
+//! An observer on a radial path, the shadow boundary as this observer sees it, and the normalised shadow coordinate x.
 //!
-//! The shadow boundary (critical curve) is the circle at the angle θ_c from the direction of the hole. With
-//! u = 1/r and w = 2/3 − u, sin θ_c = b_c √(1−u) u and cos θ_c = b_c w √(1−w); the latter keeps its relative
+//! **At rest.** The shadow boundary (critical curve) is the circle at the angle θ_c from the direction of the hole.
+//! With u = 1/r and w = 2/3 − u, sin θ_c = b_c √(1−u) u and cos θ_c = b_c w √(1−w); the latter keeps its relative
 //! accuracy at the photon sphere.
 //!
-//! The normalised shadow coordinate of a view angle θ is x = tan(θ_c/2) / tan(θ/2): 1 at the shadow boundary, 0
+//! **The normalised shadow coordinate** of a view angle θ is x = tan(θ_c/2) / tan(θ/2): 1 at the shadow boundary, 0
 //! straight away from the hole, and b_c/b for an observer at infinity. Since tan(θ/2) is the stereographic
-//! coordinate of the view direction, an observer in radial motion sees the same x. With C = cos θ_c, the impact
-//! parameter b is given by
+//! coordinate of the view direction, which a radial boost only scales, all observers in radial motion at r see the
+//! same ray at the same x. With C = b_c w √(1−w), the impact parameter b is given by
 //!
 //! ```text
-//! b_c/b = ((1+C) x + (1−C)/x) / 2
+//! b_c/b = ((1+C) x + (1−C)/x) / 2,      du/dφ = ((1+C) x − (1−C)/x) / (2 b_c)
 //! ```
 //!
-//! which holds from r = ∞ (C = 1) to the horizon (C = −1) without a singular term.
+//! for all r > 0: C is 1 at infinity, −1 at the horizon, and below −1 inside, where nobody is at rest. Rays with x < 1
+//! come from the sky.
+//!
+//! **In radial motion.** With z_in and z_out the redshift factors 1 + z = ν_∞/ν_obs of light that is seen in the
+//! direction of the hole and straight away from it,
+//!
+//! ```text
+//! z_in z_out = 1 − u,     tan(θ_c/2) = (1−C) / (b_c u z_out),     ν_∞/ν_obs = z_in cos²(θ/2) + z_out sin²(θ/2).
+//! ```
+//!
+//! z_out = √(1−u) at rest, and 1 + √u for an observer who has fallen from rest at infinity (Painlevé–Gullstrand
+//! frame). z_out > 0 is the only parameter of the motion, so one set of formulae serves every radial motion from
+//! infinity to the singularity.
 
-use crate::{B_CRIT, BendAndSlope, CoreError, MAX_DISTANCE, Ray, U_PHOTON};
+use crate::{B_CRIT, BendAndSlope, CoreError, MAX_DISTANCE, MIN_RADIUS, Ray, U_PHOTON};
 
 /// Low-order part of b_c: the f64 nearest to b_c − [`B_CRIT`]. With it, b − b_c keeps full precision.
 const B_CRIT_REST: f64 = -7.151_834_159_792_777e-17;
@@ -48,14 +60,16 @@ impl ShadowCoordinate {
     }
 }
 
-/// A static observer at areal radius r ≥ 1, infinity and (as a limit) the horizon included.
+/// An observer at areal radius r who is at rest or moves radially.
 ///
 /// ```
 /// use lensbake_core::Observer;
 ///
-/// // From the photon sphere the shadow fills half of the sky.
+/// // At rest on the photon sphere the shadow fills half of the sky; in free fall, less.
 /// let observer = Observer::at(1.5).unwrap();
-/// assert!((observer.shadow_angle() - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+/// assert!((observer.shadow_angle().to_degrees() - 90.0).abs() < 1e-12);
+/// let falling = Observer::falling(1.5).unwrap();
+/// assert!((falling.shadow_angle().to_degrees() - 35.264_390).abs() < 1e-6);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Observer {
@@ -63,16 +77,84 @@ pub struct Observer {
     pub(crate) u: f64,
     /// w = 2/3 − u, the distance from the photon sphere.
     pub(crate) w: f64,
-    /// The lapse √(1−u): the rate of the observer's clock relative to one at infinity.
-    pub(crate) lapse: f64,
+    /// 1 − u, to full relative accuracy.
+    one_minus_u: f64,
+    /// z_out, the redshift factor of light from straight away.
+    z_out: f64,
+    /// (1 − z_out)/u.
+    gain_out: f64,
     cos_shadow: f64,
     one_plus_cos_shadow: f64,
     one_minus_cos_shadow: f64,
     tan_half_shadow: f64,
 }
 
+/// u, w = 2/3 − u and 1 − u of a radius, each to full relative accuracy.
+#[derive(Debug, Clone, Copy)]
+struct Place {
+    u: f64,
+    w: f64,
+    one_minus_u: f64,
+    /// √(1 − u), 0 at and below the horizon.
+    lapse: f64,
+}
+
+impl Place {
+    /// The place at radius `r`.
+    fn at(r: f64) -> Self {
+        let one_minus_u = (r - 1.0) / r;
+        Place {
+            u: 1.0 / r,
+            w: (2.0 * r - 3.0) / (3.0 * r),
+            one_minus_u,
+            lapse: one_minus_u.max(0.0).sqrt(),
+        }
+    }
+
+    const INFINITY: Place = Place {
+        u: 0.0,
+        w: U_PHOTON,
+        one_minus_u: 1.0,
+        lapse: 1.0,
+    };
+}
+
+/// A radial motion: z_out and (1 − z_out)/u.
+#[derive(Debug, Clone, Copy)]
+struct Redshift {
+    z_out: f64,
+    gain_out: f64,
+}
+
+impl Redshift {
+    fn at_rest(place: Place) -> Self {
+        Redshift {
+            z_out: place.lapse,
+            gain_out: 1.0 / (1.0 + place.lapse),
+        }
+    }
+
+    fn in_fall(place: Place) -> Self {
+        let speed = place.u.sqrt();
+        Redshift {
+            z_out: 1.0 + speed,
+            gain_out: -1.0 / speed,
+        }
+    }
+}
+
+fn check_distance(r: f64) -> Result<(), CoreError> {
+    if r > MAX_DISTANCE && r.is_finite() {
+        return Err(CoreError::TooFar {
+            what: "radius",
+            found: r,
+        });
+    }
+    Ok(())
+}
+
 impl Observer {
-    /// The observer at radius `r`; `r = ∞` is the observer at infinity.
+    /// The observer at rest at radius `r`; `r = ∞` is the observer at infinity.
     ///
     /// # Errors
     /// [`CoreError::Radius`] unless r > 1, [`CoreError::TooFar`] for a finite r above [`MAX_DISTANCE`].
@@ -83,25 +165,36 @@ impl Observer {
         if r.is_infinite() {
             return Ok(Self::at_infinity());
         }
-        if r > MAX_DISTANCE {
-            return Err(CoreError::TooFar {
-                what: "radius",
-                found: r,
-            });
+        check_distance(r)?;
+        let place = Place::at(r);
+        Ok(Self::build(place, Redshift::at_rest(place)))
+    }
+
+    /// The observer at radius `r` who has fallen freely from rest at infinity, at the speed √(1/r) relative to an
+    /// observer at rest there. Far away this is the observer at rest at infinity.
+    ///
+    /// # Errors
+    /// [`CoreError::Singularity`] unless r ≥ [`MIN_RADIUS`], [`CoreError::TooFar`] for a finite r above
+    /// [`MAX_DISTANCE`].
+    pub fn falling(r: f64) -> Result<Self, CoreError> {
+        if r.is_nan() || r < MIN_RADIUS {
+            return Err(CoreError::Singularity(r));
         }
-        Ok(Self::build(
-            1.0 / r,
-            (2.0 * r - 3.0) / (3.0 * r),
-            ((r - 1.0) / r).sqrt(),
-        ))
+        if r.is_infinite() {
+            return Ok(Self::at_infinity());
+        }
+        check_distance(r)?;
+        let place = Place::at(r);
+        Ok(Self::build(place, Redshift::in_fall(place)))
     }
 
     /// The observer at infinity.
     pub fn at_infinity() -> Self {
-        Self::build(0.0, U_PHOTON, 1.0)
+        let place = Place::INFINITY;
+        Self::build(place, Redshift::at_rest(place))
     }
 
-    /// The observer at 1/r = sin²χ, for χ from 0 (infinity) to π/2 (the limit at the horizon).
+    /// The observer at rest at 1/r = sin²χ, for χ from 0 (infinity) to π/2 (the limit at the horizon).
     pub fn at_chi(chi: f64) -> Self {
         let (sin, cos) = chi.sin_cos();
         let u = sin * sin;
@@ -111,29 +204,74 @@ impl Observer {
         } else {
             cos
         };
-        Self::build(u, U_PHOTON - u, lapse)
+        let place = Place {
+            u,
+            w: U_PHOTON - u,
+            one_minus_u: lapse * lapse,
+            lapse,
+        };
+        Self::build(place, Redshift::at_rest(place))
     }
 
-    fn build(u: f64, w: f64, lapse: f64) -> Self {
-        let cos_shadow = (B_CRIT * w * (1.0 - w).sqrt()).clamp(-1.0, 1.0);
+    /// The same place in the frame that the rows of a table refer to. Above the horizon that is the observer at
+    /// rest. At the horizon and below, nobody is at rest; there it is the limit of an infinitely fast outward motion
+    /// (z_out → 0), for which every view angle is π and the bending is the orbital angle φ from the outward direction
+    /// to the sky. At the horizon both are the same.
+    pub fn in_row_frame(&self) -> Self {
+        let place = self.place();
+        Self::build(place, Redshift::at_rest(place))
+    }
+
+    /// The same observer after a radial boost: `doppler` is √((1+β)/(1−β)) for the speed β towards the hole
+    /// relative to `self`.
+    pub fn boosted(&self, doppler: f64) -> Self {
+        let z_out = self.z_out * doppler;
+        let redshift = Redshift {
+            z_out,
+            gain_out: (1.0 - z_out) / self.u,
+        };
+        Self::build(self.place(), redshift)
+    }
+
+    fn place(&self) -> Place {
+        Place {
+            u: self.u,
+            w: self.w,
+            one_minus_u: self.one_minus_u,
+            lapse: self.lapse(),
+        }
+    }
+
+    fn build(place: Place, redshift: Redshift) -> Self {
+        let Place {
+            u,
+            w,
+            one_minus_u,
+            lapse,
+        } = place;
+        let Redshift { z_out, gain_out } = redshift;
+        let cos_shadow = (B_CRIT * w * (1.0 - w).sqrt()).min(1.0);
         let sin_shadow = B_CRIT * u * lapse;
-        // The smaller of 1 ± C is computed from sin²θ_c = (1+C)(1−C), so that neither cancels.
+        // The smaller of 1 ± C is computed from 1 − C² = b_c² u² (1−u), so that neither cancels.
         let (one_plus_cos_shadow, one_minus_cos_shadow) = if cos_shadow >= 0.0 {
             let plus = 1.0 + cos_shadow;
             (plus, sin_shadow * sin_shadow / plus)
         } else {
             let minus = 1.0 - cos_shadow;
-            (sin_shadow * sin_shadow / minus, minus)
+            let product = (B_CRIT * u) * (B_CRIT * u) * one_minus_u;
+            (product / minus, minus)
         };
         let tan_half_shadow = if cos_shadow >= 0.0 {
-            sin_shadow / one_plus_cos_shadow
+            sin_shadow / one_plus_cos_shadow * (lapse / z_out)
         } else {
-            one_minus_cos_shadow / sin_shadow
+            one_minus_cos_shadow / (B_CRIT * u * z_out)
         };
         Observer {
             u,
             w,
-            lapse,
+            one_minus_u,
+            z_out,
+            gain_out,
             cos_shadow,
             one_plus_cos_shadow,
             one_minus_cos_shadow,
@@ -151,14 +289,43 @@ impl Observer {
         self.u
     }
 
-    /// The lapse √(1 − 1/r): the rate of the observer's clock relative to one at infinity.
+    /// The lapse √(1 − 1/r): the rate of a clock at rest at this radius relative to one at infinity. 0 at and below the
+    /// horizon.
     pub fn lapse(&self) -> f64 {
-        self.lapse
+        self.one_minus_u.max(0.0).sqrt()
     }
 
-    /// χ with 1/r = sin²χ, in [0, π/2]: the coordinate in which the rows of the atlas are uniform.
+    /// True at the horizon and below, where no observer can be at rest.
+    pub fn is_inside(&self) -> bool {
+        self.one_minus_u <= 0.0
+    }
+
+    /// True for the observer at rest.
+    pub fn is_at_rest(&self) -> bool {
+        let excess = self.z_out * self.z_out - self.one_minus_u;
+        !self.is_inside() && excess.abs() <= 4.0 * f64::EPSILON * self.one_minus_u
+    }
+
+    /// The redshift factors 1 + z = ν_∞/ν_obs of light from the direction of the hole and from straight away,
+    /// [z_in, z_out]. z_in ≤ 0 at the horizon and below: no light of the sky comes from there.
+    pub fn redshifts(&self) -> [f64; 2] {
+        [self.one_minus_u / self.z_out, self.z_out]
+    }
+
+    /// ν_obs/ν_∞ of light of the sky that is seen at the view angle `theta` (rad): the frequency at the observer divided
+    /// by that at infinity. Infinite or negative where no light of the sky can come from.
+    pub fn frequency_shift(&self, theta: f64) -> f64 {
+        let [z_in, z_out] = self.redshifts();
+        if self.is_at_rest() {
+            return 1.0 / z_out;
+        }
+        let (sin, cos) = (0.5 * theta).sin_cos();
+        1.0 / (z_in * cos * cos + z_out * sin * sin)
+    }
+
+    /// χ with 1/r = sin²χ, in [0, π/2]: the coordinate in which the rows of the atlas are uniform above the horizon.
     pub fn chi(&self) -> f64 {
-        self.u.sqrt().atan2(self.lapse)
+        self.u.sqrt().atan2(self.lapse())
     }
 
     /// True for the observer at infinity, whose rays have an impact parameter but no view angle.
@@ -171,8 +338,9 @@ impl Observer {
         2.0 * self.tan_half_shadow.atan()
     }
 
-    /// cos θ_c: 1 at infinity, 0 at the photon sphere, −1 at the horizon.
-    pub fn cos_shadow(&self) -> f64 {
+    /// C = b_c w √(1−w): cos θ_c of the observer at rest. 1 at infinity, 0 at the photon sphere, −1 at the horizon, and
+    /// below −1 inside.
+    pub fn cos_shadow_at_rest(&self) -> f64 {
         self.cos_shadow
     }
 
@@ -204,12 +372,12 @@ impl Observer {
         -2.0 / (x * x / self.tan_half_shadow + self.tan_half_shadow)
     }
 
-    /// dΔ/dx at x = 0, straight away from the hole, where b → 0 and Δ → (π − θ) (1/√(1−u) − 1).
+    /// dΔ/dx at x = 0, straight away from the hole, where b → 0 and Δ → (π − θ) (1/z_out − 1).
     pub fn bend_slope_away(&self) -> f64 {
         if self.cos_shadow >= 0.0 {
-            2.0 * self.one_plus_cos_shadow / (B_CRIT * self.lapse.powi(2) * (1.0 + self.lapse))
+            2.0 * self.one_plus_cos_shadow * self.gain_out / (B_CRIT * self.one_minus_u)
         } else {
-            2.0 * B_CRIT * self.u.powi(2) / (self.one_minus_cos_shadow * (1.0 + self.lapse))
+            2.0 * B_CRIT * self.u.powi(2) * self.gain_out / self.one_minus_cos_shadow
         }
     }
 
