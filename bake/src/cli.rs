@@ -1,7 +1,7 @@
 //! The command line.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use lensbake_core::Observer;
+use lensbake_core::{Motion, Observer};
 use std::path::PathBuf;
 
 /// Bake the bending of light (deflection angle) by a black hole into a table, and check it.
@@ -34,12 +34,13 @@ pub enum Command {
         /// The table to write; - writes a .lbt to standard output.
         to: PathBuf,
     },
-    /// Read lines `R THETA_DEG` or `inf B` from standard input; for each, print the bending in radians or
-    /// `captured`.
+    /// Read lines `R THETA_DEG [AZIMUTH_DEG]` or `inf B` from standard input; for each, print the bending in radians
+    /// or `captured`.
     ///
-    /// R is the observer's radius, THETA_DEG the view angle from the direction of the hole in degrees, and B the
-    /// impact parameter of a ray from infinity. Lengths are in units of the Schwarzschild radius. Each answer is
-    /// printed without waiting for the next line.
+    /// R is the observer's radius, THETA_DEG the view angle from the direction of the hole in degrees, in the
+    /// observer's own frame, AZIMUTH_DEG the azimuth about that direction from the direction of motion (0 if there is
+    /// none), and B the impact parameter of a ray from infinity. Lengths are in units of the Schwarzschild radius. The
+    /// bending is THETA minus the angle on the sky. Each answer is printed without waiting for the next line.
     Query(QueryArgs),
     /// Compare a table, between its nodes, with the direct integrator and with the closed form.
     Diff(DiffArgs),
@@ -63,15 +64,18 @@ pub struct BakeArgs {
     /// once.
     #[arg(short, long, value_name = "FILE", default_value = "atlas.lbt")]
     pub output: Vec<PathBuf>,
-    /// Bake one row, for the static observer at this radius (above 1, or `far`), instead of the atlas.
+    /// Bake one row, for the observer at this radius (from 0.001, or `far`), instead of the atlas.
     #[arg(long, value_name = "far|R", value_parser = observer)]
     pub observer: Option<Observer>,
     /// Texels per row [default: 64 for the residual axis, 1024 for the others].
     #[arg(long, value_name = "N")]
     pub texels: Option<u32>,
-    /// Rows of the atlas [default: 128].
+    /// Rows of the atlas above the horizon [default: 128].
     #[arg(long, value_name = "N", conflicts_with = "observer")]
     pub rows: Option<u32>,
+    /// Rows of the atlas below the horizon, down to r = 0.01; 0 for none [default: 64].
+    #[arg(long, value_name = "N", conflicts_with = "observer")]
+    pub rows_below: Option<u32>,
     /// Error tolerance of the integrator, in rad per radian of orbital angle, from 1e-13 to 1e-2.
     #[arg(long, value_name = "RAD", default_value_t = 1e-9, value_parser = tolerance)]
     pub tolerance: f64,
@@ -84,9 +88,13 @@ pub struct BakeArgs {
     /// Largest impact parameter of a naive axis.
     #[arg(long, value_name = "B", default_value_t = 100.0, requires = "axis")]
     pub b_max: f64,
-    /// Largest measured error allowed, in rad; above it nothing is written and the exit code is 1.
+    /// Largest measured error allowed, in rad; above it nothing is written and the exit code is 1. Of an atlas, that of
+    /// the rows above the horizon.
     #[arg(long, value_name = "RAD", value_parser = positive)]
     pub budget: Option<f64>,
+    /// The same for the rows below the horizon of an atlas.
+    #[arg(long, value_name = "RAD", value_parser = positive)]
+    pub budget_below: Option<f64>,
     /// Number of threads [default: one per core]. It does not change the bytes written.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
@@ -125,6 +133,20 @@ pub struct QueryArgs {
     /// How to compute the bending.
     #[arg(long, value_enum, default_value_t = MethodName::Lut)]
     pub method: MethodName,
+    /// How the observer moves: `rest`, `fall` (freely, from rest at infinity), `orbit` (circular, r > 1.5), or a
+    /// velocity BR,BT in units of c: radial (positive outwards) and tangential, relative to the observer at rest, at
+    /// the horizon and below to the observer in free fall.
+    #[arg(
+        long,
+        value_name = "rest|fall|orbit|BR,BT",
+        default_value = "rest",
+        allow_hyphen_values = true
+    )]
+    pub motion: Motion,
+    /// Print `THETA_SKY AZIMUTH SHIFT` instead of the bending: the angle on the sky from the direction of the hole, not
+    /// reduced to 0 to pi, and the azimuth, in radians, and the frequency shift, observed over emitted.
+    #[arg(long)]
+    pub sky: bool,
     /// Error tolerance of RK4, in rad per radian of orbital angle, from 1e-13 to 1e-2.
     #[arg(long, value_name = "RAD", default_value_t = 1e-12, value_parser = tolerance)]
     pub tolerance: f64,
@@ -196,7 +218,11 @@ fn observer(text: &str) -> Result<Observer, String> {
     let r: f64 = text
         .parse()
         .map_err(|_| "must be `far` or a radius in units of r_s".to_owned())?;
-    Observer::at(r).map_err(|e| e.to_string())
+    match r > 1.0 {
+        true => Observer::at(r),
+        false => Observer::falling(r).map(|observer| observer.in_row_frame()),
+    }
+    .map_err(|e| e.to_string())
 }
 
 fn number(text: &str) -> Result<f64, String> {

@@ -36,7 +36,7 @@ pub mod series;
 
 pub use direct::BendAndSlope;
 pub use error::CoreError;
-pub use motion::{Boost, Motion, MovingFrame, UnboostedDirection};
+pub use motion::{Boost, Motion, MovingFrame, ParseMotionError, UnboostedDirection};
 pub use observer::{Observer, ShadowCoordinate};
 pub use ray::{Path, Ray};
 pub use ray_outcome::RayOutcome;

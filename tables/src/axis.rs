@@ -13,6 +13,16 @@
 //! hole, where the row of a distant observer has a layer as narrow as the observer's shadow. Compared with
 //! s = √(1−x) and the leading logarithm alone, both changes together reduce the error of 64 texels for r = ∞ from
 //! 7e-6 to 2e-8 rad (`docs/chart.md`).
+//!
+//! Below the horizon C falls without bound towards the singularity, and the row crowds at the shadow boundary, within
+//! 1 − x of about 1/|C|. The residual axis therefore uses the *row coordinate* there,
+//!
+//! ```text
+//! X = x / (x + σ (1−x)),     σ = √((1−C)/2)
+//! ```
+//!
+//! which has the same ends, in place of x, and (5/18) C/σ in place of (5/18) C. At the horizon σ = 1, so that the axis is
+//! continuous there; above it X = x.
 
 use crate::TableError;
 use lensbake_core::{B_CRIT, BendAndSlope, Observer, ShadowCoordinate};
@@ -98,7 +108,33 @@ impl Axis {
         }
     }
 
-    /// Position q of a normalised shadow coordinate outside the shadow. It is below 0 or above 1 beyond the range
+    /// The normalised shadow coordinate x at the position `q` in [0, 1] of the row of `observer`.
+    pub fn shadow_coordinate(&self, observer: &Observer, q: f64) -> ShadowCoordinate {
+        let at = self.coordinate(q);
+        match self {
+            // The inverse of a scaling by σ is that by 1/σ.
+            Axis::Residual => scaled(at, 1.0 / edge_scale(observer)),
+            _ => at,
+        }
+    }
+
+    /// dx/dq at the position `q` of the row of `observer`.
+    pub(crate) fn shadow_coordinate_slope(&self, observer: &Observer, q: f64) -> f64 {
+        self.coordinate_slope(q) / row_coordinate_slope(self, observer, self.coordinate(q))
+    }
+
+    /// The row coordinate X of the normalised shadow coordinate `at` of `observer`: on the residual axis
+    /// x/(x + σ(1−x)), with σ from [`edge_scale`]; otherwise x.
+    #[inline]
+    pub fn row_coordinate(&self, observer: &Observer, at: ShadowCoordinate) -> ShadowCoordinate {
+        if *self == Axis::Residual && observer.is_inside() {
+            scaled(at, edge_scale(observer))
+        } else {
+            at
+        }
+    }
+
+    /// Position q of a row coordinate outside the shadow. It is below 0 or above 1 beyond the range
     /// of the axis; a lookup clamps it, as a texture does.
     #[inline]
     pub fn position(&self, at: ShadowCoordinate) -> f64 {
@@ -115,7 +151,7 @@ impl Axis {
         }
     }
 
-    /// The inverse of [`Axis::position`], for q in [0, 1].
+    /// The row coordinate at the position `q` in [0, 1]: the inverse of [`Axis::position`].
     pub fn coordinate(&self, q: f64) -> ShadowCoordinate {
         let between = |first: f64, last: f64| first + q * (last - first);
         match *self {
@@ -140,7 +176,7 @@ impl Axis {
         }
     }
 
-    /// dx/dq at the position q.
+    /// dX/dq at the position q, X being the row coordinate.
     pub fn coordinate_slope(&self, q: f64) -> f64 {
         let x = self.coordinate(q).x;
         match *self {
@@ -156,14 +192,17 @@ impl Axis {
     /// The value and slope that are stored at the position q for the given bending of `observer`. On the residual
     /// axis q must be > 0, because the value at q = 0 is a limit.
     pub fn stored(&self, observer: &Observer, q: f64, bending: BendAndSlope) -> Stored {
-        let logarithm = self.logarithm(observer, self.coordinate(q));
+        let at = self.coordinate(q);
+        let logarithm = self.logarithm(observer, at);
         Stored {
             value: bending.bend - logarithm.bend,
-            slope: (bending.slope - logarithm.slope) * self.coordinate_slope(q),
+            slope: (bending.slope / row_coordinate_slope(self, observer, at) - logarithm.slope)
+                * self.coordinate_slope(q),
         }
     }
 
-    /// The inverse of [`Axis::stored`]: the bending and dΔ/dx from the stored value and slope.
+    /// The inverse of [`Axis::stored`]: the bending and dΔ/dx at the row coordinate `at`, from the stored value and
+    /// slope.
     pub fn bending(
         &self,
         observer: &Observer,
@@ -172,22 +211,23 @@ impl Axis {
     ) -> BendAndSlope {
         let logarithm = self.logarithm(observer, at);
         let q = self.position(at).clamp(0.0, 1.0);
-        // dx/dq = 0 straight away from the hole, where the stored slope is 0 as well: the bound avoids 0/0.
+        // dX/dq = 0 straight away from the hole, where the stored slope is 0 as well: the bound avoids 0/0.
         let dx_dq = self.coordinate_slope(q).min(-1e-9);
         BendAndSlope {
             bend: stored.value + logarithm.bend,
-            slope: stored.slope / dx_dq + logarithm.slope,
+            slope: (stored.slope / dx_dq + logarithm.slope)
+                * row_coordinate_slope(self, observer, at),
         }
     }
 
-    /// The bending Δ from the stored value, rad: [`Axis::bending`] without the slope.
+    /// The bending Δ at the row coordinate `at` from the stored value, rad: [`Axis::bending`] without the slope.
     #[inline]
     pub fn bend(&self, observer: &Observer, at: ShadowCoordinate, value: f64) -> f64 {
         value + self.logarithm(observer, at).bend
     }
 
     /// The logarithmic part of the bending, which the residual axis subtracts before storing, and its derivative
-    /// with respect to x; zero for the other axes.
+    /// with respect to the row coordinate; zero for the other axes.
     #[inline]
     fn logarithm(&self, observer: &Observer, at: ShadowCoordinate) -> BendAndSlope {
         if *self != Axis::Residual {
@@ -205,10 +245,38 @@ impl Axis {
     }
 }
 
-/// (5/18) cos θ_c, the coefficient of d ln d relative to that of ln d.
+/// (5/18) C/σ, the coefficient of d ln d relative to that of ln d, with d = 1 − X.
 #[inline]
 pub fn log_weight(observer: &Observer) -> f64 {
-    5.0 / 18.0 * observer.cos_shadow()
+    5.0 / 18.0 * observer.cos_shadow_at_rest() / edge_scale(observer)
+}
+
+/// σ: √((1−C)/2) below the horizon, 1 above.
+#[inline]
+pub fn edge_scale(observer: &Observer) -> f64 {
+    if observer.is_inside() {
+        (0.5 - 0.5 * observer.cos_shadow_at_rest()).sqrt()
+    } else {
+        1.0
+    }
+}
+
+fn scaled(at: ShadowCoordinate, scale: f64) -> ShadowCoordinate {
+    let ShadowCoordinate { x, one_minus_x } = at;
+    let sum = x + scale * one_minus_x;
+    ShadowCoordinate {
+        x: x / sum,
+        one_minus_x: scale * one_minus_x / sum,
+    }
+}
+
+/// dX/dx at the row coordinate `at`: (1 − X + σX)²/σ on the residual axis.
+fn row_coordinate_slope(axis: &Axis, observer: &Observer, at: ShadowCoordinate) -> f64 {
+    if *axis != Axis::Residual {
+        return 1.0;
+    }
+    let scale = edge_scale(observer);
+    (at.one_minus_x + scale * at.x).powi(2) / scale
 }
 
 /// ln(b/b_c − 1), accurate even at the f64 values of b next to b_c.

@@ -67,6 +67,17 @@ pub enum TableError {
         /// The radius asked for.
         asked: f64,
     },
+    /// The table holds no row so far down.
+    #[error(
+        "the table holds rows down to r = {reach}, not to r = {asked}; the atlas that `bake` writes reaches \
+         r = 0.01"
+    )]
+    NoRowsBelow {
+        /// Smallest radius in the table.
+        reach: f64,
+        /// The radius asked for.
+        asked: f64,
+    },
 }
 
 /// A table file that cannot be read, or a path whose extension is not that of a container.
@@ -120,12 +131,12 @@ pub enum Problem {
     },
     /// The file has another version of the format.
     #[error(
-        "is of table format version {found}; this program reads version {known}: bake it again"
+        "is of table format version {found}; this program reads versions 1 to {known}: bake it again"
     )]
     Version {
         /// Version of the file.
         found: i64,
-        /// Version that this program reads.
+        /// Newest version that this program reads.
         known: u32,
     },
     /// The checksum does not match.

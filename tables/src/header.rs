@@ -19,15 +19,18 @@ pub struct Header {
     pub texels: u32,
     /// How the texels were computed.
     pub solver: Solver,
-    /// The error measured after baking.
+    /// The error measured after baking, above the horizon if there are rows on both sides of it.
     pub measured: Measured,
+    /// The error measured below the horizon, if there are rows on both sides of it.
+    pub measured_below: Option<Measured>,
 }
 
 /// The observers that the rows are for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "files", derive(Serialize, Deserialize))]
 pub enum Rows {
-    /// One row, for the static observer at 1/r.
+    /// One row, for the observer at rest at 1/r; below the horizon for that of
+    /// [`Observer::in_row_frame`].
     One {
         /// 1/r; 0 is the observer at infinity.
         inverse_radius: f64,
@@ -37,7 +40,31 @@ pub enum Rows {
         /// Number of rows, at least 4.
         count: u32,
     },
+    /// Rows as with [`Rows::Chi`], followed by rows uniform in ln(1/r), from the horizon to `r_min`, both included, for
+    /// the observers of [`Observer::in_row_frame`].
+    ThroughHorizon {
+        /// Number of rows above the horizon, at least 4.
+        above: u32,
+        /// Number of rows below, at least 4.
+        below: u32,
+        /// Radius of the last row.
+        r_min: f64,
+    },
 }
+
+impl Rows {
+    /// Number of rows.
+    pub fn count(self) -> u32 {
+        match self {
+            Rows::One { .. } => 1,
+            Rows::Chi { count } => count,
+            Rows::ThroughHorizon { above, below, .. } => above.saturating_add(below),
+        }
+    }
+}
+
+/// Smallest radius of a row. Rows below 0.01 are valid, but have larger errors than those above it.
+const R_MIN: f64 = 1e-3;
 
 /// How the texels were computed.
 #[derive(Debug, Clone, PartialEq)]
@@ -103,9 +130,23 @@ pub(crate) fn check_texels(texels: u32) -> Result<(), TableError> {
 impl Header {
     /// Number of rows.
     pub fn row_count(&self) -> u32 {
+        self.rows.count()
+    }
+
+    /// Number of rows above the horizon.
+    pub(crate) fn rows_above(&self) -> u32 {
         match self.rows {
-            Rows::One { .. } => 1,
-            Rows::Chi { count } => count,
+            Rows::ThroughHorizon { above, .. } => above,
+            _ => self.row_count(),
+        }
+    }
+
+    /// Smallest radius at which the table has a row.
+    pub fn r_min(&self) -> f64 {
+        match self.rows {
+            Rows::One { inverse_radius } => 1.0 / inverse_radius,
+            Rows::Chi { .. } => 1.0,
+            Rows::ThroughHorizon { r_min, .. } => r_min,
         }
     }
 
@@ -116,13 +157,17 @@ impl Header {
 
     /// The observer of row `index`.
     pub fn observer(&self, index: u32) -> Observer {
+        let part = |index: u32, count: u32| f64::from(index) / f64::from(count - 1);
+        let at_rest = |part: f64| Observer::at_chi(part * std::f64::consts::FRAC_PI_2);
         match self.rows {
-            Rows::Chi { count } => Observer::at_chi(
-                f64::from(index) / f64::from(count - 1) * std::f64::consts::FRAC_PI_2,
-            ),
-            Rows::One { inverse_radius } => {
-                Observer::at(1.0 / inverse_radius).unwrap_or_else(|_| Observer::at_infinity())
-            }
+            Rows::Chi { count } => at_rest(part(index, count)),
+            Rows::ThroughHorizon { above, .. } if index < above => at_rest(part(index, above)),
+            Rows::ThroughHorizon {
+                above,
+                below,
+                r_min,
+            } => row_frame(r_min.powf(part(index - above, below))),
+            Rows::One { inverse_radius } => row_frame(1.0 / inverse_radius),
         }
     }
 
@@ -134,12 +179,23 @@ impl Header {
         check_texels(self.texels)?;
         match self.rows {
             Rows::Chi { count } => in_range("the number of rows", count.into(), ROWS)?,
+            Rows::ThroughHorizon {
+                above,
+                below,
+                r_min,
+            } => {
+                in_range("the number of rows above the horizon", above.into(), ROWS)?;
+                in_range("the number of rows below the horizon", below.into(), ROWS)?;
+                if !(R_MIN..1.0).contains(&r_min) {
+                    return Err(field("r_min", r_min, "must be from 0.001 to below 1"));
+                }
+            }
             Rows::One { inverse_radius } => {
-                if !(0.0..1.0).contains(&inverse_radius) {
+                if !(0.0..=1.0 / R_MIN).contains(&inverse_radius) {
                     return Err(field(
                         "inverse_radius",
                         inverse_radius,
-                        "must be from 0 to below 1",
+                        "must be from 0 to 1000",
                     ));
                 }
             }
@@ -198,6 +254,16 @@ impl Header {
                 fields.push(("rows", Field::Count(count)));
                 fields.push(("row_map", text("chi")));
             }
+            Rows::ThroughHorizon {
+                above,
+                below,
+                r_min,
+            } => {
+                fields.push(("rows", Field::Count(above.saturating_add(below))));
+                fields.push(("row_map", text("chi+ln-u")));
+                fields.push(("rows_below", Field::Count(below)));
+                fields.push(("r_min", Field::Real(r_min)));
+            }
         }
         fields.extend([
             ("units", text(UNITS)),
@@ -209,6 +275,14 @@ impl Header {
             ("measured_r_min", Field::Real(self.measured.r_min)),
             ("measured_edge_gap", Field::Real(self.measured.edge_gap)),
         ]);
+        if let Some(below) = self.measured_below {
+            fields.extend([
+                ("below_max_error", Field::Real(below.max_error)),
+                ("below_measured_rays", Field::Count(below.rays)),
+                ("below_measured_r_min", Field::Real(below.r_min)),
+                ("below_measured_edge_gap", Field::Real(below.edge_gap)),
+            ]);
+        }
         fields
     }
 
@@ -216,6 +290,7 @@ impl Header {
     fn domain(&self) -> String {
         let observers = match self.rows {
             Rows::Chi { .. } => "1 < r <= infinity".to_owned(),
+            Rows::ThroughHorizon { r_min, .. } => format!("{r_min} <= r <= infinity"),
             Rows::One {
                 inverse_radius: 0.0,
             } => "r = infinity".to_owned(),
@@ -273,11 +348,19 @@ impl Header {
             "chi" => Rows::Chi {
                 count: count("rows")?,
             },
+            "chi+ln-u" => {
+                let below = count("rows_below")?;
+                Rows::ThroughHorizon {
+                    above: count("rows")?.saturating_sub(below),
+                    below,
+                    r_min: real("r_min")?,
+                }
+            }
             other => {
                 return Err(FieldError::Bad(field(
                     "row_map",
                     text::excerpt(other),
-                    "must be one or chi",
+                    "must be one, chi or chi+ln-u",
                 )));
             }
         };
@@ -295,6 +378,15 @@ impl Header {
                 r_min: real("measured_r_min")?,
                 edge_gap: real("measured_edge_gap")?,
             },
+            measured_below: match get("below_max_error") {
+                None => None,
+                Some(_) => Some(Measured {
+                    max_error: real("below_max_error")?,
+                    rays: count("below_measured_rays")?,
+                    r_min: real("below_measured_r_min")?,
+                    edge_gap: real("below_measured_edge_gap")?,
+                }),
+            },
         })
     }
 }
@@ -307,6 +399,14 @@ pub(crate) enum FieldError {
     Missing(String),
     /// A field has an invalid value.
     Bad(TableError),
+}
+
+/// The observer at radius `r` that a row is for; `r = ∞` is the observer at infinity. The radius has been checked.
+fn row_frame(r: f64) -> Observer {
+    Observer::falling(r).map_or_else(
+        |_| Observer::at_infinity(),
+        |observer| observer.in_row_frame(),
+    )
 }
 
 fn in_range(what: &'static str, found: u64, (min, max): (u64, u64)) -> Result<(), TableError> {

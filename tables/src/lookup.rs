@@ -3,26 +3,63 @@
 //! [`crate::mirror`] has the same functions in Rust, in f32 and with the same operations. The reference in f64 is
 //! [`crate::Row::bend`].
 
-use crate::axis::log_weight;
+use crate::axis::{edge_scale, log_weight};
 use crate::{Interpolation, Row, Texel};
 use lensbake_core::Observer;
 
-/// WGSL source of the lookup. The text of [`RowShape::wgsl`] must precede it.
+/// WGSL source of the lookup above the horizon. The text of [`RowShape::wgsl`] must precede it.
 pub const WGSL: &str = concat!(
     include_str!("wgsl/arithmetic.wgsl"),
+    include_str!("wgsl/row_coordinate_above.wgsl"),
+    include_str!("wgsl/lookup.wgsl")
+);
+
+/// WGSL source of the lookup below the horizon: as [`WGSL`], with another row coordinate.
+pub const WGSL_BELOW: &str = concat!(
+    include_str!("wgsl/arithmetic.wgsl"),
+    include_str!("wgsl/row_coordinate_below.wgsl"),
     include_str!("wgsl/lookup.wgsl")
 );
 
 /// The WGSL files by name, for programs that assemble shaders from modules. Each file names the modules that it
-/// needs in `// #import` lines. The module `row` is [`RowShape::wgsl`].
-pub const WGSL_MODULES: [(&str, &str); 2] = [
+/// needs in `// #import` lines. The module `row` is [`RowShape::wgsl`], and `row_coordinate` is the one that
+/// [`RowShape::row_coordinate`] names.
+pub const WGSL_MODULES: [(&str, &str); 4] = [
     ("arithmetic", include_str!("wgsl/arithmetic.wgsl")),
+    (
+        "row_coordinate_above",
+        include_str!("wgsl/row_coordinate_above.wgsl"),
+    ),
+    (
+        "row_coordinate_below",
+        include_str!("wgsl/row_coordinate_below.wgsl"),
+    ),
     ("lookup", include_str!("wgsl/lookup.wgsl")),
 ];
 
 /// Largest width in texels of the texture that holds a row: WebGPU guarantees this width on every device. A longer
 /// row continues on the next line.
 pub const ROW_LINE: u32 = 8192;
+
+/// The side of the horizon that an observer is on. The row coordinate differs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum HorizonSide {
+    /// Above the horizon.
+    #[default]
+    Above,
+    /// At the horizon or below.
+    Below,
+}
+
+impl HorizonSide {
+    /// The side of the horizon that `observer` is on.
+    pub fn of(observer: &Observer) -> Self {
+        match observer.is_inside() {
+            true => HorizonSide::Below,
+            false => HorizonSide::Above,
+        }
+    }
+}
 
 /// The properties of a row that a shader is specialised for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -31,9 +68,19 @@ pub struct RowShape {
     pub texels: u32,
     /// Interpolation between two texels.
     pub interpolation: Interpolation,
+    /// The side of the horizon that its observer is on.
+    pub side: HorizonSide,
 }
 
 impl RowShape {
+    /// Name of the module of [`WGSL_MODULES`] that has the row coordinate.
+    pub fn row_coordinate(self) -> &'static str {
+        match self.side {
+            HorizonSide::Above => "row_coordinate_above",
+            HorizonSide::Below => "row_coordinate_below",
+        }
+    }
+
     /// Width and height of the texture that holds the row. The texels fill it line by line; the rest of the last
     /// line is unused.
     pub fn texture_size(self) -> [u32; 2] {
@@ -64,21 +111,25 @@ impl RowShape {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct ShadowEdge {
-    /// tan(θ_c/2).
+    /// tan(θ_c/2)/σ: the factor between the row coordinate and cot(θ/2) straight away from the hole.
     pub tan_half: f32,
-    /// (5/18) cos θ_c, the coefficient of (1−x) ln(1−x) relative to that of ln(1−x).
+    /// (5/18) C/σ, the coefficient of (1−X) ln(1−X) relative to that of ln(1−X).
     pub log_weight: f32,
-    /// dΔ/dx at x = 0, in the direction away from the hole.
+    /// dΔ/dX at X = 0, in the direction away from the hole.
     pub away_slope: f32,
+    /// σ, which is 1 above the horizon.
+    pub scale: f32,
 }
 
 impl ShadowEdge {
     /// The shadow boundary that `observer` sees.
     pub fn of(observer: &Observer) -> Self {
+        let scale = edge_scale(observer);
         ShadowEdge {
-            tan_half: observer.tan_half_shadow() as f32,
+            tan_half: (observer.tan_half_shadow() / scale) as f32,
             log_weight: log_weight(observer) as f32,
-            away_slope: observer.bend_slope_away() as f32,
+            away_slope: (observer.bend_slope_away() * scale) as f32,
+            scale: scale as f32,
         }
     }
 }
@@ -104,6 +155,8 @@ pub struct GpuRow {
     pub texels: Vec<Texel>,
     /// Interpolation between the texels.
     pub interpolation: Interpolation,
+    /// The side of the horizon that the observer is on.
+    pub side: HorizonSide,
 }
 
 impl GpuRow {
@@ -113,6 +166,7 @@ impl GpuRow {
             edge: ShadowEdge::of(row.observer()),
             texels: row.gpu_texels(),
             interpolation: row.interpolation(),
+            side: HorizonSide::of(row.observer()),
         }
     }
 
@@ -121,6 +175,7 @@ impl GpuRow {
         RowShape {
             texels: self.texels.len() as u32,
             interpolation: self.interpolation,
+            side: self.side,
         }
     }
 
@@ -151,6 +206,7 @@ mod tests {
             let shape = RowShape {
                 texels,
                 interpolation: Interpolation::Hermite,
+                side: HorizonSide::Above,
             };
             let [width, height] = shape.texture_size();
             assert!(width <= ROW_LINE && height <= ROW_LINE);

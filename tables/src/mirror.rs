@@ -3,11 +3,11 @@
 
 use crate::Interpolation;
 use crate::interpolation::{chord, cubic};
-use crate::lookup::{GpuRow, ShadowEdge};
+use crate::lookup::{GpuRow, HorizonSide, ShadowEdge};
 use lensbake_core::RayOutcome;
 
-/// Bound on sin θ and x. If both are below it and cos θ < 0, the ray looks straight away from the hole and Δ is
-/// `away_slope`·x, with a relative error of 1e-6.
+/// Bound on sin θ and X. If both are below it and cos θ < 0, the ray looks straight away from the hole and Δ is
+/// `away_slope`·X, with a relative error of 1e-6.
 pub const STRAIGHT_AWAY: f32 = 1e-3;
 
 /// The bending as a GPU computes it.
@@ -19,15 +19,33 @@ pub struct Bending {
     pub slope: f32,
 }
 
-/// Normalised shadow coordinate x = tan(θ_c/2) / tan(θ/2) of the unit direction (cos θ, sin θ) = (`c`, `p`), where
-/// `c` ≥ −1 and `p` ≥ 0. Very large at θ = 0.
-pub fn shadow_coordinate(c: f32, p: f32, edge: ShadowEdge) -> f32 {
-    let cot_half = if c >= 0.0 {
-        (1.0 + c) / p.max(1e-30)
-    } else {
-        p / (1.0 - c)
-    };
-    edge.tan_half * cot_half
+/// The row coordinate X = x/(x + σ(1−x)) of the unit direction (cos θ, sin θ) = (`c`, `p`), where `c` ≥ −1 and `p` ≥ 0.
+/// Above the horizon it is the normalised shadow coordinate x = tan(θ_c/2) / tan(θ/2), very large at θ = 0.
+pub fn row_coordinate(c: f32, p: f32, edge: ShadowEdge, side: HorizonSide) -> f32 {
+    match side {
+        HorizonSide::Above => {
+            let cot_half = if c >= 0.0 {
+                (1.0 + c) / p.max(1e-30)
+            } else {
+                p / (1.0 - c)
+            };
+            edge.tan_half * cot_half
+        }
+        HorizonSide::Below => {
+            let (n, m) = if c >= 0.0 { (1.0 + c, p) } else { (p, 1.0 - c) };
+            let n = edge.tan_half * n;
+            let below = m - (edge.scale - 1.0) * n;
+            if n < below { n / below } else { 2.0 }
+        }
+    }
+}
+
+/// dΔ/dθ from dΔ/dX (`by_x`), at the row coordinate `x` and sin θ = `p`.
+pub fn by_view_angle(by_x: f32, x: f32, p: f32, edge: ShadowEdge, side: HorizonSide) -> f32 {
+    match side {
+        HorizonSide::Above => -by_x * x / p.max(1e-30),
+        HorizonSide::Below => -by_x * x * (1.0 + (edge.scale - 1.0) * x) / p.max(1e-30),
+    }
 }
 
 impl GpuRow {
@@ -42,10 +60,10 @@ impl GpuRow {
     }
 
     /// The bending in the direction with cos θ = `c` and sin θ = `p`, from a row on the residual axis:
-    /// Δ = R(q) − (1 + weight·d) ln d with d = 1 − x and q = √(1−√x). The slope is inaccurate straight away from
+    /// Δ = R(q) − (1 + weight·d) ln d with d = 1 − X and q = √(1−√X). The slope is inaccurate straight away from
     /// the hole: use [`GpuRow::bending_for_footprint`] there.
     pub fn bending(&self, c: f32, p: f32) -> RayOutcome<Bending> {
-        let x = shadow_coordinate(c, p, self.edge);
+        let x = row_coordinate(c, p, self.edge, self.side);
         if x >= 1.0 {
             return RayOutcome::Captured;
         }
@@ -60,14 +78,14 @@ impl GpuRow {
         let by_x = slope * last / dx_dq + self.edge.log_weight * ln + factor / d;
         RayOutcome::Escapes(Bending {
             bend: value - factor * ln,
-            slope: -by_x * x / p.max(1e-30),
+            slope: by_view_angle(by_x, x, p, self.edge, self.side),
         })
     }
 
     /// [`GpuRow::bending`], replaced by its limit straight away from the hole. There the terms of the residual
     /// cancel, and the size of a footprint is a quotient of the small remainders.
     pub fn bending_for_footprint(&self, c: f32, p: f32) -> RayOutcome<Bending> {
-        let x = shadow_coordinate(c, p, self.edge);
+        let x = row_coordinate(c, p, self.edge, self.side);
         if c < 0.0 && p.max(x) < STRAIGHT_AWAY {
             return RayOutcome::Escapes(Bending {
                 bend: self.edge.away_slope * x,

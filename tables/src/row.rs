@@ -2,7 +2,7 @@
 
 use crate::axis::{Axis, Stored};
 use crate::header::check_texels;
-use crate::lookup::RowShape;
+use crate::lookup::{HorizonSide, RowShape};
 use crate::{Interpolation, TableError, Texel};
 use lensbake_core::{BendAndSlope, Observer, RayOutcome, ShadowCoordinate};
 
@@ -22,6 +22,42 @@ impl Row {
             observer,
             texels,
             interpolation: Interpolation::Hermite,
+        }
+    }
+
+    /// The same row for `observer`, who must have the same view angles.
+    pub(crate) fn with_observer(self, observer: Observer) -> Self {
+        Row { observer, ..self }
+    }
+
+    /// The row for `observer` in another radial motion at the same radius: the bending Δ = θ − θ′ changes by the
+    /// difference of the two view angles θ at the same x, which is added at each texel. On the residual axis only; the
+    /// others are for the observer at infinity, who is at rest.
+    pub(crate) fn in_frame_of(self, observer: Observer) -> Self {
+        let last = (self.texels.len() - 1) as f64;
+        let texels = self.texels.iter().enumerate().map(|(i, texel)| {
+            let q = i as f64 / last;
+            let aberration = self.aberration(&observer, q);
+            [
+                texel[0] + aberration.value,
+                texel[1] + aberration.slope / last,
+            ]
+        });
+        Row {
+            texels: texels.collect(),
+            observer,
+            ..self
+        }
+    }
+
+    /// θ of `observer` minus θ of the row's observer at the position q, and its derivative with respect to q.
+    fn aberration(&self, observer: &Observer, q: f64) -> Stored {
+        let x = self.axis.shadow_coordinate(observer, q).x;
+        let (to, from) = (observer, &self.observer);
+        let slope = to.view_angle_slope(x) - from.view_angle_slope(x);
+        Stored {
+            value: to.view_angle(x) - from.view_angle(x),
+            slope: slope * self.axis.shadow_coordinate_slope(observer, q),
         }
     }
 
@@ -69,6 +105,7 @@ impl Row {
         RowShape {
             texels: self.texel_count(),
             interpolation: self.interpolation,
+            side: HorizonSide::of(&self.observer),
         }
     }
 
@@ -91,6 +128,7 @@ impl Row {
         if at.one_minus_x <= 0.0 {
             return RayOutcome::Captured;
         }
+        let at = self.axis.row_coordinate(&self.observer, at);
         let stored = self.stored(self.axis.position(at));
         RayOutcome::Escapes(self.axis.bend(&self.observer, at, stored.value))
     }
@@ -103,6 +141,7 @@ impl Row {
         if let (Axis::Residual, Some(bending)) = (self.axis, self.observer.bend_straight_away(at)) {
             return RayOutcome::Escapes(bending);
         }
+        let at = self.axis.row_coordinate(&self.observer, at);
         let stored = self.stored(self.axis.position(at));
         RayOutcome::Escapes(self.axis.bending(&self.observer, at, stored))
     }

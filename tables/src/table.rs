@@ -65,14 +65,18 @@ impl Table {
         &self.texels[index as usize * n..][..n]
     }
 
-    /// The row for `observer`. From the atlas it is interpolated in χ between four rows, by Lagrange's polynomial.
+    /// The row for `observer`, at rest or in radial motion. From the atlas it is interpolated between four rows, by
+    /// Lagrange's polynomial: in χ above the horizon, in ln u below. The rows of a table are for the observers of
+    /// [`Observer::in_row_frame`]; for another motion the difference of the view angles is added to each texel.
     ///
     /// # Errors
-    /// [`TableError::OtherObserver`] if the table holds only the row of another observer.
+    /// [`TableError::OtherObserver`] if the table holds only the row of another observer,
+    /// [`TableError::NoRowsBelow`] if it does not reach down to this observer.
     pub fn row(&self, observer: Observer) -> Result<Row, TableError> {
+        let u = observer.inverse_radius();
         let mix = match self.header.rows {
             Rows::One { inverse_radius } => {
-                if (observer.inverse_radius() - inverse_radius).abs() > 1e-12 {
+                if (u - inverse_radius).abs() > 1e-12 * inverse_radius.max(1.0) {
                     return Err(TableError::OtherObserver {
                         holds: 1.0 / inverse_radius,
                         asked: observer.radius(),
@@ -80,7 +84,30 @@ impl Table {
                 }
                 vec![(0, 1.0)]
             }
-            Rows::Chi { count } => lagrange(observer.chi(), count).to_vec(),
+            _ if !observer.is_inside() => {
+                lagrange(chi_part(&observer), self.header.rows_above()).to_vec()
+            }
+            Rows::Chi { .. } => {
+                return Err(TableError::NoRowsBelow {
+                    reach: 1.0,
+                    asked: observer.radius(),
+                });
+            }
+            Rows::ThroughHorizon {
+                above,
+                below,
+                r_min,
+            } => {
+                let part = u.ln() / -r_min.ln();
+                if part > 1.0 + 1e-12 {
+                    return Err(TableError::NoRowsBelow {
+                        reach: r_min,
+                        asked: observer.radius(),
+                    });
+                }
+                let rows = lagrange(part.min(1.0), below);
+                rows.map(|(row, weight)| (above + row, weight)).to_vec()
+            }
         };
         let texels = (0..self.header.texels as usize)
             .map(|i| {
@@ -93,14 +120,26 @@ impl Table {
                 texel
             })
             .collect();
-        Ok(Row::new(self.header.axis, observer, texels))
+        let row_frame = observer.in_row_frame();
+        let row = Row::new(self.header.axis, row_frame, texels);
+        let moves = observer.redshifts()[1] != row_frame.redshifts()[1];
+        Ok(if moves && !observer.is_at_rest() {
+            row.in_frame_of(observer)
+        } else {
+            row.with_observer(observer)
+        })
     }
 }
 
-/// The four rows around `chi` and their weights in Lagrange's cubic polynomial, one-sided in the first and the
-/// last gap between rows.
-fn lagrange(chi: f64, count: u32) -> [(u32, f64); 4] {
-    let position = chi / std::f64::consts::FRAC_PI_2 * f64::from(count - 1);
+/// χ of `observer` as a part of π/2.
+fn chi_part(observer: &Observer) -> f64 {
+    observer.chi() / std::f64::consts::FRAC_PI_2
+}
+
+/// The four rows around the part `t` in [0, 1] of `count` uniform rows, and their weights in Lagrange's cubic
+/// polynomial, one-sided in the first and the last gap between rows.
+fn lagrange(t: f64, count: u32) -> [(u32, f64); 4] {
+    let position = t * f64::from(count - 1);
     let first = (position.floor() as u32).saturating_sub(1).min(count - 4);
     let t = position - f64::from(first);
     let weight = |k: usize| {
@@ -120,13 +159,13 @@ mod tests {
     fn lagrange_reproduces_cubics_everywhere() {
         let cubic = |t: f64| 1.0 + t * (2.0 + t * (-3.0 + 0.5 * t));
         for i in 0..=1000 {
-            let chi = f64::from(i) / 1000.0 * std::f64::consts::FRAC_PI_2;
-            let position = chi / std::f64::consts::FRAC_PI_2 * 15.0;
-            let mixed: f64 = lagrange(chi, 16)
+            let part = f64::from(i) / 1000.0;
+            let position = part * 15.0;
+            let mixed: f64 = lagrange(part, 16)
                 .iter()
                 .map(|&(row, weight)| weight * cubic(f64::from(row)))
                 .sum();
-            assert!((mixed - cubic(position)).abs() < 1e-9, "chi {chi}");
+            assert!((mixed - cubic(position)).abs() < 1e-9, "{part}");
         }
     }
 }

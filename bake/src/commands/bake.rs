@@ -30,10 +30,23 @@ pub fn run(args: &BakeArgs) -> Result<Outcome, CommandError> {
             .map_err(|e| CommandError::Threads(e.to_string()))?
             .install(|| bake_and_measure(&recipe))?,
     };
-    let error = table.header().measured.max_error;
-    if let Some(budget) = args.budget.filter(|&budget| error > budget) {
-        message!("the error is above the budget of {budget:.3e} rad: nothing is written");
-        return Ok(Outcome::Missed);
+    let header = table.header();
+    let errors = [
+        ("", args.budget, Some(header.measured)),
+        (
+            " below the horizon",
+            args.budget_below,
+            header.measured_below,
+        ),
+    ];
+    for (side, budget, measured) in errors {
+        let (Some(budget), Some(measured)) = (budget, measured) else {
+            continue;
+        };
+        if measured.max_error > budget {
+            message!("the error{side} is above the budget of {budget:.3e} rad: nothing is written");
+            return Ok(Outcome::Missed);
+        }
     }
     for (container, output) in &outputs {
         let bytes = container
@@ -57,13 +70,12 @@ fn recipe(args: &BakeArgs) -> Recipe {
     let far = Rows::One {
         inverse_radius: 0.0,
     };
-    let rows = match (args.observer, args.rows) {
-        (Some(observer), _) => Rows::One {
+    let rows = match args.observer {
+        Some(observer) => Rows::One {
             inverse_radius: observer.inverse_radius(),
         },
-        (None, Some(count)) => Rows::Chi { count },
-        (None, None) if axis == Axis::Residual => rows,
-        (None, None) => far,
+        None if args.rows.is_none() && args.rows_below.is_none() && axis != Axis::Residual => far,
+        None => atlas(args, rows),
     };
     Recipe {
         axis,
@@ -73,11 +85,29 @@ fn recipe(args: &BakeArgs) -> Recipe {
     }
 }
 
-fn bake_and_measure(recipe: &Recipe) -> Result<Table, CommandError> {
-    let rows = match recipe.rows {
-        Rows::One { .. } => 1,
-        Rows::Chi { count } => count,
+/// The rows of the default atlas, with the numbers of `args`.
+fn atlas(args: &BakeArgs, default: Rows) -> Rows {
+    let Rows::ThroughHorizon {
+        above,
+        below,
+        r_min,
+    } = default
+    else {
+        return default;
     };
+    let (above, below) = (args.rows.unwrap_or(above), args.rows_below.unwrap_or(below));
+    match below {
+        0 => Rows::Chi { count: above },
+        below => Rows::ThroughHorizon {
+            above,
+            below,
+            r_min,
+        },
+    }
+}
+
+fn bake_and_measure(recipe: &Recipe) -> Result<Table, CommandError> {
+    let rows = recipe.rows.count();
     let progress = Progress::new("baking", rows.into());
     let table = baking::bake(recipe, || progress.step())?;
     let seconds = progress.finish().as_secs_f64();
@@ -97,14 +127,20 @@ fn bake_and_measure(recipe: &Recipe) -> Result<Table, CommandError> {
         );
         return Ok(table);
     }
-    message!(
-        "largest error {:.3e} rad against the closed form over {} rays off the nodes, r from {:.6}, \
-         1 - x from {:.1e} (measured in {:.3} s)",
-        measured.max_error,
-        measured.rays,
-        measured.r_min,
-        measured.edge_gap,
-        started.elapsed().as_secs_f64(),
-    );
+    let seconds = started.elapsed().as_secs_f64();
+    for (side, measured) in [
+        ("", Some(measured)),
+        (" below the horizon", table.header().measured_below),
+    ] {
+        let Some(measured) = measured else { continue };
+        message!(
+            "largest error{side} {:.3e} rad against the closed form over {} rays off the nodes, r from {:.6}, \
+             1 - x from {:.1e} (measured in {seconds:.3} s)",
+            measured.max_error,
+            measured.rays,
+            measured.r_min,
+            measured.edge_gap,
+        );
+    }
     Ok(table)
 }

@@ -1,9 +1,9 @@
-//! `bake query`: prints the bending of each ray asked for on a line of its own, before it waits for the next
+//! `bake query`: prints the bending, or the point of the sky, of each ray asked for on a line of its own, before it waits for the next
 //! question.
 
 use super::{CommandError, table_or_atlas};
 use crate::cli::{MethodName, QueryArgs};
-use bake::query::{Answers, MAX_LINE, QueryMethod, Question};
+use bake::query::{Answers, MAX_LINE, QueryMethod, Question, SkyPoint};
 use lensbake_core::RayOutcome;
 use lensbake_program::{Outcome, Printer};
 use std::io::{self, BufRead, BufReader, Read};
@@ -36,10 +36,10 @@ pub fn run(args: &QueryArgs) -> Result<Outcome, CommandError> {
             Ok(false) => break Ok(()),
             Err(error) => break Err(CommandError::Stdin(error)),
         }
-        match Question::parse(&line) {
+        match Question::parse(&line, args.motion) {
             Ok(None) => {}
             Ok(Some(question)) => match answers.answer(&question) {
-                Ok(bend) => ready += &text(bend),
+                Ok(outcome) => ready += &text(outcome, args.sky),
                 Err(problem) => {
                     break Err(CommandError::InTable {
                         path: name,
@@ -73,9 +73,15 @@ fn next_line(input: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
     Ok(read > 0)
 }
 
-fn text(bend: RayOutcome) -> String {
-    match bend {
-        RayOutcome::Escapes(bend) => format!("{bend:.16e}\n"),
+fn text(outcome: RayOutcome<SkyPoint>, sky: bool) -> String {
+    match outcome {
         RayOutcome::Captured => "captured\n".to_owned(),
+        RayOutcome::Escapes(SkyPoint { bend, .. }) if !sky => format!("{bend:.16e}\n"),
+        RayOutcome::Escapes(SkyPoint {
+            theta,
+            azimuth,
+            shift,
+            ..
+        }) => format!("{theta:.16e} {azimuth:.16e} {shift:.16e}\n"),
     }
 }

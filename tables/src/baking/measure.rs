@@ -7,27 +7,35 @@ use crate::{Header, Measured, Row, Table, TableError};
 use lensbake_core::{Observer, exact};
 use rayon::prelude::*;
 
-/// Measures the error of `table` and writes it into the header. The error is infinite if the outcome of any ray
-/// differs from the closed form's, or if no ray was measured.
+/// Measures the error of `table` and writes it into the header, below the horizon separately. The error is infinite if
+/// the outcome of any ray differs from the closed form's, or if no ray was measured.
 ///
 /// # Errors
 /// [`TableError`] if the table has no row for its own observers, which does not happen with a valid table.
 pub fn measured(table: Table) -> Result<Table, TableError> {
-    let rays = off_nodes(table.header());
-    let errors = lookup_errors(&table, &rays)?;
-    let max_error = ErrorStatistics::of(errors).map_or(f64::INFINITY, |errors| errors.max);
-    let radii = rays.iter().map(|s| s.observer.radius());
-    let gaps = rays.iter().map(|s| s.at.one_minus_x);
+    let (below, above): (Vec<_>, Vec<_>) = off_nodes(table.header())
+        .into_iter()
+        .partition(|ray| ray.observer.is_inside());
+    let has_both = !below.is_empty() && !above.is_empty();
+    let first = if above.is_empty() { &below } else { &above };
     let header = Header {
-        measured: Measured {
-            max_error,
-            rays: rays.len() as u32,
-            r_min: radii.fold(f64::INFINITY, f64::min),
-            edge_gap: gaps.fold(1.0, f64::min),
-        },
+        measured: measure(&table, first)?,
+        measured_below: has_both.then(|| measure(&table, &below)).transpose()?,
         ..table.header().clone()
     };
     table.with_header(header)
+}
+
+fn measure(table: &Table, rays: &[ObservedRay]) -> Result<Measured, TableError> {
+    let errors = lookup_errors(table, rays)?;
+    let radii = rays.iter().map(|s| s.observer.radius());
+    let gaps = rays.iter().map(|s| s.at.one_minus_x);
+    Ok(Measured {
+        max_error: ErrorStatistics::of(errors).map_or(f64::INFINITY, |errors| errors.max),
+        rays: rays.len() as u32,
+        r_min: radii.fold(f64::INFINITY, f64::min),
+        edge_gap: gaps.fold(1.0, f64::min),
+    })
 }
 
 /// Lookup minus closed form for each ray of `rays`, rad, in the same order. NaN for a ray that either of them

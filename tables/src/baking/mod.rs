@@ -28,11 +28,15 @@ pub struct Recipe {
 }
 
 impl Default for Recipe {
-    /// The default atlas: 128 rows of 64 texels, 64 KiB.
+    /// The default atlas: 128 rows above the horizon and 64 below, of 64 texels: 96 KiB.
     fn default() -> Self {
         Recipe {
             axis: Axis::Residual,
-            rows: Rows::Chi { count: 128 },
+            rows: Rows::ThroughHorizon {
+                above: 128,
+                below: 64,
+                r_min: 0.01,
+            },
             texels: 64,
             tolerance: 1e-9,
         }
@@ -69,6 +73,7 @@ pub fn bake(recipe: &Recipe, row_done: impl Fn() + Sync) -> Result<Table, TableE
             tolerance: recipe.tolerance,
         },
         measured: Measured::NOTHING,
+        measured_below: None,
     };
     header.validate()?;
     let rows: Vec<Vec<Texel>> = (0..header.row_count())
@@ -97,7 +102,8 @@ fn bake_texel(recipe: &Recipe, observer: &Observer, index: u32) -> Texel {
     let q = f64::from(index) / last;
     let at_edge = recipe.axis == Axis::Residual && index == 0;
     let q = if at_edge { EDGE_Q } else { q };
-    let bending = bending(recipe, observer, recipe.axis.coordinate(q));
+    let at = recipe.axis.shadow_coordinate(observer, q);
+    let bending = bending(recipe, observer, at);
     let stored = recipe.axis.stored(observer, q, bending);
     let slope = if at_edge { 0.0 } else { stored.slope / last };
     [stored.value as f32, slope as f32]

@@ -3,6 +3,7 @@
 use crate::{Axis, Header, Rows};
 use fastrand::Rng;
 use lensbake_core::{Observer, ShadowCoordinate};
+use std::f64::consts::FRAC_PI_2;
 
 /// An observer and a view direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +34,7 @@ pub fn random(table: &Header, count: usize, seed: u64) -> Vec<ObservedRay> {
 fn random_ray(table: &Header, rng: &mut Rng) -> ObservedRay {
     let observer = match table.rows {
         Rows::One { .. } => table.observer(0),
-        Rows::Chi { .. } => {
+        Rows::Chi { .. } | Rows::ThroughHorizon { .. } => {
             let chi_max = (1.0 / R_MIN).sqrt().asin();
             Observer::at_chi(rng.f64() * chi_max)
         }
@@ -80,29 +81,42 @@ fn in_b(axis: Axis, t: f64, crowd: bool) -> ShadowCoordinate {
 /// powers of ten of 1 − x down to [`EDGE_GAP`].
 pub fn off_nodes(table: &Header) -> Vec<ObservedRay> {
     let cells = 4 * (table.texels - 1);
-    let within_cells = (0..cells).map(|i| (f64::from(i) + 0.5) / f64::from(cells));
-    let mut along: Vec<ShadowCoordinate> = within_cells
-        .map(|q| table.axis.coordinate(q))
-        .filter(|at| at.one_minus_x >= EDGE_GAP)
+    let along: Vec<f64> = (0..cells)
+        .map(|i| (f64::from(i) + 0.5) / f64::from(cells))
         .collect();
-    if table.axis == Axis::Residual {
-        along.extend([1e-2, 1e-3, 1e-4, 1e-5, EDGE_GAP].map(edge_gap));
-    }
+    let near_edge = [1e-2, 1e-3, 1e-4, 1e-5, EDGE_GAP].map(edge_gap);
+    let near_edge = match table.axis {
+        Axis::Residual => &near_edge[..],
+        _ => &[],
+    };
+    let rays_of = |observer: Observer| {
+        along
+            .iter()
+            .map(move |&q| table.axis.shadow_coordinate(&observer, q))
+            .filter(|at| at.one_minus_x >= EDGE_GAP)
+            .chain(near_edge.iter().copied())
+            .map(move |at| ObservedRay { observer, at })
+    };
     observers_off_nodes(table)
         .into_iter()
-        .flat_map(|observer| along.iter().map(move |&at| ObservedRay { observer, at }))
+        .flat_map(rays_of)
         .collect()
 }
 
 fn observers_off_nodes(table: &Header) -> Vec<Observer> {
+    let off_nodes = |rows: u32| {
+        let count = 3 * (rows - 1);
+        (0..count).map(move |i| (f64::from(i) + 0.5) / f64::from(count))
+    };
+    let above = off_nodes(table.rows_above()).map(|t| Observer::at_chi(t * FRAC_PI_2));
     match table.rows {
         Rows::One { .. } => vec![table.observer(0)],
-        Rows::Chi { count } => {
-            let gaps = count - 1;
-            (0..3 * gaps)
-                .map(|i| (f64::from(i) + 0.5) / f64::from(3 * gaps))
-                .map(|t| Observer::at_chi(t * std::f64::consts::FRAC_PI_2))
-                .collect()
+        Rows::Chi { .. } => above.collect(),
+        Rows::ThroughHorizon { below, r_min, .. } => {
+            let inside = off_nodes(below)
+                .filter_map(|t| Observer::falling(r_min.powf(t)).ok())
+                .map(|observer| observer.in_row_frame());
+            above.chain(inside).collect()
         }
     }
 }

@@ -11,8 +11,38 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-/// Version of both layouts; a file of another version is refused.
-pub const VERSION: u32 = 1;
+/// Version of both layouts that is written. Files of all versions up to this one are read.
+pub const VERSION: u32 = Version::NEWEST.number();
+
+/// The versions of the layouts. Version 2 added rows below the horizon and their error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Version {
+    One,
+    Two,
+}
+
+impl Version {
+    const NEWEST: Version = Version::Two;
+
+    const fn number(self) -> u32 {
+        match self {
+            Version::One => 1,
+            Version::Two => 2,
+        }
+    }
+
+    /// The version with this number.
+    fn new(number: i64) -> Result<Self, Problem> {
+        match number {
+            1 => Ok(Version::One),
+            2 => Ok(Version::Two),
+            _ => Err(Problem::Version {
+                found: number,
+                known: VERSION,
+            }),
+        }
+    }
+}
 
 /// Most bytes of a table file: the texels as three channels of floats, and an allowance for the header.
 const MAX_FILE_BYTES: u64 = MAX_TEXELS * 12 + (1 << 20);

@@ -3,7 +3,7 @@
 //! channels because single-channel files fail in several engines, and 32 bits because half floats would cost
 //! 5e-4 rad (docs/format.md).
 
-use super::{MAX_FILE_BYTES, VERSION, checksum};
+use super::{MAX_FILE_BYTES, VERSION, Version, checksum};
 use crate::error::Problem;
 use crate::exr_guard::{CheckedExr, Limits};
 use crate::header::{FieldError, MAX_TEXELS};
@@ -18,7 +18,7 @@ const CHECKSUM_FIELD: &str = "crc32";
 
 pub(super) fn encode(table: &Table) -> std::result::Result<Vec<u8>, Problem> {
     let header = table.header();
-    let header_bytes = super::binary::encode_header(header)?;
+    let header_bytes = super::binary::encode_header(header, Version::NEWEST)?;
     let width = header.texels as usize;
     let texels = table.texels();
     let channels = SpecificChannels::rgb(|at: Vec2<usize>| {
@@ -94,9 +94,10 @@ pub(super) fn decode(bytes: &[u8]) -> std::result::Result<Table, Problem> {
     if file.layer_count() > 1 {
         return Err(Problem::Exr("has more than one layer".into()));
     }
+    let version = decode_version(&file.header().own_attributes)?;
     let header = decode_header(file.header())?;
     let texels = decode_texels(&file, &header)?;
-    let computed = checksum(&super::binary::encode_header(&header)?, &texels);
+    let computed = checksum(&super::binary::encode_header(&header, version)?, &texels);
     let stored = stored_checksum(&file.header().own_attributes)?;
     if stored != computed {
         return Err(Problem::Checksum {
@@ -128,19 +129,16 @@ fn decode_texels(
     Ok(texels)
 }
 
+fn decode_version(attributes: &LayerAttributes) -> std::result::Result<Version, Problem> {
+    match attribute(attributes, VERSION_FIELD) {
+        Some(&AttributeValue::I32(found)) => Version::new(found.into()),
+        _ => Err(missing(VERSION_FIELD)),
+    }
+}
+
 /// Reads and checks the header alone, so that no pixels are allocated for sizes that a table cannot have.
 fn decode_header(layer: &exr::meta::header::Header) -> std::result::Result<Header, Problem> {
     let attributes = &layer.own_attributes;
-    match attribute(attributes, VERSION_FIELD) {
-        Some(&AttributeValue::I32(found)) if found.cast_unsigned() != VERSION => {
-            return Err(Problem::Version {
-                found: found.into(),
-                known: VERSION,
-            });
-        }
-        Some(AttributeValue::I32(_)) => {}
-        _ => return Err(missing(VERSION_FIELD)),
-    }
     let header = Header::from_fields(|name| {
         Some(match attribute(attributes, name)? {
             AttributeValue::I32(n) => Field::Count(n.cast_unsigned()),

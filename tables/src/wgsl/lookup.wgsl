@@ -1,21 +1,25 @@
 // The lookup of the bending Δ (deflection angle) in a row, on a GPU. Its mirror in Rust is mirror.rs. Needs the
 // module `row`: `const ROW_LAST: u32`, the index of the row's last texel, `fn row_texel(i: u32) -> vec2<f32>`,
-// which loads a texel, and `fn interpolate(position: f32) -> vec2<f32>`, which is `linear` or `hermite`.
+// which loads a texel, and `fn interpolate(position: f32) -> vec2<f32>`, which is `linear` or `hermite`. Needs one of
+// the modules `row_coordinate_above` (above the horizon) and `row_coordinate_below`, named `row_coordinate`.
 // #import arithmetic
 // #import row
+// #import row_coordinate
 
 // The shadow boundary (critical curve) as the observer sees it.
 struct ShadowEdge {
-    // tan(θ_c/2).
+    // tan(θ_c/2)/σ.
     tan_half: f32,
-    // (5/18) cos θ_c, the coefficient of (1−x) ln(1−x) relative to that of ln(1−x).
+    // (5/18) C/σ, the coefficient of (1−X) ln(1−X) relative to that of ln(1−X).
     log_weight: f32,
-    // dΔ/dx at x = 0, in the direction away from the hole.
+    // dΔ/dX at X = 0, in the direction away from the hole.
     away_slope: f32,
+    // σ; 1 above the horizon, where X = x.
+    scale: f32,
 }
 
-// Bound on sin θ and x. If both are below it and cos θ < 0, the ray looks straight away from the hole and Δ is
-// away_slope·x, with a relative error of 1e-6.
+// Bound on sin θ and X. If both are below it and cos θ < 0, the ray looks straight away from the hole and Δ is
+// away_slope·X, with a relative error of 1e-6.
 const STRAIGHT_AWAY: f32 = 1e-3;
 
 struct Bending {
@@ -24,13 +28,6 @@ struct Bending {
     bend: f32,
     // dΔ/dθ, the derivative along the view angle.
     slope: f32,
-}
-
-// Normalised shadow coordinate x = tan(θ_c/2) / tan(θ/2) of the unit direction (cos θ, sin θ) = (c, p), where
-// c ≥ −1 and p ≥ 0. Very large at θ = 0.
-fn shadow_coordinate(c: f32, p: f32, edge: ShadowEdge) -> f32 {
-    let cot_half = select(p / (1.0 - c), (1.0 + c) / max(p, 1e-30), c >= 0.0);
-    return edge.tan_half * cot_half;
 }
 
 // Linear interpolation at `position` (in texels): the value and its derivative per texel. Uses the values only.
@@ -46,10 +43,10 @@ fn hermite(position: f32) -> vec2<f32> {
 }
 
 // The bending in the direction with cos θ = c and sin θ = p, from a row on the residual axis:
-// Δ = R(q) − (1 + weight·d) ln d with d = 1 − x and q = √(1−√x). The slope is inaccurate straight away from the
+// Δ = R(q) − (1 + weight·d) ln d with d = 1 − X, q = √(1−√X) and X the row coordinate. The slope is inaccurate straight away from the
 // hole: use `bending_for_footprint` there.
 fn bending(c: f32, p: f32, edge: ShadowEdge) -> Bending {
-    let x = shadow_coordinate(c, p, edge);
+    let x = row_coordinate(c, p, edge);
     if x >= 1.0 {
         return Bending(true, 0.0, 0.0);
     }
@@ -59,18 +56,18 @@ fn bending(c: f32, p: f32, edge: ShadowEdge) -> Bending {
     let r = interpolate(q * f32(ROW_LAST));
     let ln = log(d);
     let factor = 1.0 + edge.log_weight * d;
-    // dΔ/dθ = dΔ/dx dx/dθ with dx/dq = −4 q √x and dx/dθ = −x/sin θ.
+    // dΔ/dθ = dΔ/dX dX/dθ with dX/dq = −4 q √X.
     let dx_dq = -4.0 * q * max(root, 1e-9);
     let by_x = r.y * f32(ROW_LAST) / dx_dq + edge.log_weight * ln + factor / d;
-    return Bending(false, r.x - factor * ln, -by_x * x / max(p, 1e-30));
+    return Bending(false, r.x - factor * ln, by_view_angle(by_x, x, p, edge));
 }
 
 // `bending`, replaced by its limit straight away from the hole. There the terms of the residual cancel, and the
 // size of a footprint is a quotient of the small remainders.
 fn bending_for_footprint(c: f32, p: f32, edge: ShadowEdge) -> Bending {
-    let x = shadow_coordinate(c, p, edge);
+    let x = row_coordinate(c, p, edge);
     if c < 0.0 && max(p, x) < STRAIGHT_AWAY {
-        // dx/dθ = −x/sin θ, with x/sin θ = tan(θ_c/2)/(1 − cos θ).
+        // dX/dθ → −X/sin θ, with X/sin θ → tan(θ_c/2)/(σ (1 − cos θ)).
         return Bending(false, edge.away_slope * x, -edge.away_slope * edge.tan_half / (1.0 - c));
     }
     return bending(c, p, edge);

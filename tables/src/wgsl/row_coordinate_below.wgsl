@@ -1,0 +1,14 @@
+// The row coordinate below the horizon, X = x/(x + σ(1−x)), of the unit direction (cos θ, sin θ) = (c, p), where c ≥ −1
+// and p ≥ 0. It exceeds 1 for all directions in the shadow.
+fn row_coordinate(c: f32, p: f32, edge: ShadowEdge) -> f32 {
+    // cot(θ/2) = n/m, so that X = (T/σ) n / (m − (T/σ)(σ−1) n), which has a pole inside the shadow.
+    let half = select(vec2(p, 1.0 - c), vec2(1.0 + c, p), c >= 0.0);
+    let n = edge.tan_half * half.x;
+    let below = half.y - (edge.scale - 1.0) * n;
+    return select(2.0, n / below, n < below);
+}
+
+// dΔ/dθ from dΔ/dX, with dX/dθ = −X (1 − X + σX)/sin θ.
+fn by_view_angle(by_x: f32, x: f32, p: f32, edge: ShadowEdge) -> f32 {
+    return -by_x * x * (1.0 + (edge.scale - 1.0) * x) / max(p, 1e-30);
+}
