@@ -112,6 +112,21 @@ impl Boost {
         (std::array::from_fn(|i| g * across[i] + along * m[i]), g)
     }
 
+    /// The derivative of [`Boost::unboosted`] at the unit direction `n` along `step`, which must be perpendicular to `n`.
+    pub fn unboosted_step(&self, n: [f64; 3], step: [f64; 3]) -> [f64; 3] {
+        let (m, k) = (self.direction, self.doppler);
+        let along = |v: [f64; 3]| -> f64 { (0..3).map(|i| v[i] * m[i]).sum() };
+        let (c, dc) = (along(n), along(step));
+        let (_, g) = self.unboosted(n);
+        let dg = 0.5 * g * g * (k - 1.0 / k) * dc;
+        // g ((1+c)/k − k(1−c)) / 2, whose derivative simplifies to g² dc, since the map is conformal.
+        let d_along = g * g * dc;
+        std::array::from_fn(|i| {
+            let (across, d_across) = (n[i] - c * m[i], step[i] - dc * m[i]);
+            dg * across + g * d_across + d_along * m[i]
+        })
+    }
+
     /// The opposite boost: maps directions in the other frame to the moving one.
     pub fn inverse(&self) -> Self {
         Boost {
@@ -200,6 +215,24 @@ impl MovingFrame {
                 doppler: ((1.0 + speed) / (1.0 - speed)).sqrt(),
             }),
         })
+    }
+
+    /// The same frame as a boost relative to the observer at rest, or at the horizon and below to the one in free fall,
+    /// even if the motion is radial.
+    pub fn as_boost(&self) -> Self {
+        let observer = &self.observer;
+        let base = observer.base();
+        let doppler = observer.redshifts()[1] / base.redshifts()[1];
+        if self.boost.is_some() || (doppler - 1.0).abs() < 1e-15 {
+            return *self;
+        }
+        MovingFrame {
+            observer: base,
+            boost: Some(Boost {
+                direction: [1.0, 0.0, 0.0],
+                doppler,
+            }),
+        }
     }
 
     /// The observer in radial motion relative to whom the boost is.
@@ -353,6 +386,35 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn the_derivative_of_a_boost_is_its_difference(
+            theta in 0.01..3.13, azimuth in -PI..PI, towards in 0.0..PI, log_k in -5.3..5.3f64,
+        ) {
+            let boost = Boost { direction: unit(towards, 0.0), doppler: log_k.exp() };
+            let h = 1e-6;
+            let step = |theta: f64| unit(theta + FRAC_PI_2, azimuth);
+            let found = boost.unboosted_step(unit(theta, azimuth), step(theta));
+            let (ahead, _) = boost.unboosted(unit(theta + h, azimuth));
+            let (behind, _) = boost.unboosted(unit(theta - h, azimuth));
+            let (_, g) = boost.unboosted(unit(theta, azimuth));
+            for i in 0..3 {
+                let numeric = (ahead[i] - behind[i]) / (2.0 * h);
+                prop_assert!((found[i] - numeric).abs() < 1e-6 * g + 1e-8, "{found:?} {numeric} {g}");
+            }
+            let length = found.iter().map(|x| x * x).sum::<f64>().sqrt();
+            prop_assert!((length / g - 1.0).abs() < 1e-9);
+        }
+
+        #[test]
+        fn a_radial_motion_is_also_a_boost(log_r in -3.0..8.0f64, theta in 0.01..3.13, log_k in -2.0..2.0f64) {
+            let frame = MovingFrame::from(falling(log_r.exp()).boosted(log_k.exp()));
+            let boosted = frame.as_boost();
+            let (shift, other) = (frame.frequency_shift(theta, 0.3), boosted.frequency_shift(theta, 0.3));
+            prop_assert!((shift - other).abs() <= 1e-9 * shift.abs().max(shift * shift), "{shift} {other}");
+            let x = boosted.observer().shadow_coordinate(boosted.unboosted(theta, 0.3).theta).x;
+            prop_assert!((x / frame.observer().shadow_coordinate(theta).x - 1.0).abs() < 1e-9);
+        }
+
         #[test]
         fn a_boost_and_its_inverse_cancel(
             theta in 0.0..PI, azimuth in -PI..PI, towards in 0.0..PI, log_k in -5.3..5.3f64,

@@ -222,6 +222,17 @@ impl Observer {
         Self::build(place, Redshift::at_rest(place))
     }
 
+    /// The observer at this place relative to whom velocities are given: at rest above the horizon, in free fall at the
+    /// horizon and below.
+    pub fn base(&self) -> Self {
+        let place = self.place();
+        let redshift = match self.is_inside() {
+            true => Redshift::in_fall(place),
+            false => Redshift::at_rest(place),
+        };
+        Self::build(place, redshift)
+    }
+
     /// The same observer after a radial boost: `doppler` is √((1+β)/(1−β)) for the speed β towards the hole
     /// relative to `self`.
     pub fn boosted(&self, doppler: f64) -> Self {

@@ -1,11 +1,16 @@
 //! The camera: the view direction of each pixel.
 //!
-//! Three frames, all right-handed with +Y up. In the *sky* frame the hole is at the origin. In the *hole* frame
+//! Three coordinate systems, all right-handed with +Y up. In the *sky* frame the hole is at the origin. In the *hole* frame
 //! the camera is at the origin and the hole lies along −Z, so that the view angle θ of a unit direction, measured
 //! from the hole, has cos θ = −z and sin θ = √(x² + y²). In the *camera* frame −Z is the centre of the picture.
+//!
+//! A moving camera has the axes of the hole frame, carried along by its boost. A radial motion is part of the observer;
+//! any other motion is a boost relative to that observer, and view directions are mapped by the aberration first
+//! ([`Camera::unboosted`]).
 
+use crate::footprint::Patch;
 use glam::{DMat3, DVec2, DVec3};
-use lensbake_core::{CoreError, Observer};
+use lensbake_core::{Boost, CoreError, Motion, MovingFrame, Observer};
 use std::f64::consts::PI;
 use thiserror::Error;
 
@@ -15,7 +20,7 @@ pub const MAX_SIDE: u32 = 16_384;
 /// Why a [`View`] makes no [`Camera`].
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum CameraError {
-    /// The radius is not above 1, or too large to compute with.
+    /// No observer can move so at this radius, or the radius is out of range.
     #[error("{0}")]
     Radius(#[from] CoreError),
     /// The radius is above [`MAX_RADIUS`]. An observer at infinity would see the hole as a point.
@@ -46,11 +51,19 @@ pub enum CameraError {
 /// resolves.
 pub const MAX_RADIUS: f64 = 1e6;
 
-/// Position, orientation and picture size of a camera as a user gives them. Angles are in degrees.
+/// Largest radius at which the row of an observer in free fall is drawn with. Farther out its texels cannot resolve the
+/// aberration near the hole, and the fall is a boost in the shader: at this radius the row is off by 7e-7 rad.
+pub const MAX_FALL_ROW_RADIUS: f64 = 100.0;
+
+/// Position, motion, orientation and picture size of a camera as a user gives them. Angles are in degrees.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
-    /// Radius in units of r_s, above 1.
+    /// Radius in units of r_s: above 1 at rest, above 1.5 in orbit, any in free fall.
     pub radius: f64,
+    /// Motion of the camera.
+    pub motion: Motion,
+    /// Heading of the tangential part of the motion, from east (growing longitude) towards north.
+    pub heading_deg: f64,
     /// Longitude of the camera around the hole. At 0 the direction to the hole is −Z of the sky frame.
     pub orbit_deg: f64,
     /// Latitude of the camera around the hole.
@@ -74,6 +87,8 @@ impl Default for View {
     fn default() -> Self {
         View {
             radius: 25.0,
+            motion: Motion::Rest,
+            heading_deg: 0.0,
             orbit_deg: 0.0,
             latitude_deg: 0.0,
             yaw_deg: 0.0,
@@ -97,8 +112,10 @@ impl Default for View {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Camera {
-    /// The static observer at the camera's position.
+    /// The observer at the camera's position, at rest or in radial motion.
     pub observer: Observer,
+    /// The camera's boost relative to that observer, its direction in the hole frame.
+    pub boost: Option<Boost>,
     /// Width, pixels.
     pub width: u32,
     /// Height, pixels.
@@ -119,7 +136,20 @@ impl Camera {
     /// # Errors
     /// [`CameraError`] if a value of the view is out of range.
     pub fn new(view: &View) -> Result<Self, CameraError> {
-        let observer = Observer::at(view.radius)?;
+        let frame = MovingFrame::new(view.radius, view.motion)?;
+        let has_row = match view.motion {
+            Motion::Fall => view.radius <= MAX_FALL_ROW_RADIUS,
+            Motion::Rest | Motion::Orbit | Motion::Velocity { .. } => false,
+        };
+        let frame = if has_row { frame } else { frame.as_boost() };
+        Camera::in_frame(&frame, view)
+    }
+
+    /// The camera of a view whose motion is that of `frame`, which must be at the view's radius.
+    ///
+    /// # Errors
+    /// As [`Camera::new`].
+    pub fn in_frame(frame: &MovingFrame, view: &View) -> Result<Self, CameraError> {
         if view.radius > MAX_RADIUS {
             return Err(CameraError::TooFar(view.radius));
         }
@@ -142,9 +172,18 @@ impl Camera {
             * DMat3::from_rotation_z(-angle("roll", view.roll_deg)?);
         let sky_from_hole = DMat3::from_rotation_y(angle("orbit", view.orbit_deg)?)
             * DMat3::from_rotation_x(-angle("latitude", view.latitude_deg)?);
+        let (north, east) = angle("heading", view.heading_deg)?.sin_cos();
+        let boost = frame.boost().map(|boost| {
+            let [towards, along, _] = boost.direction;
+            Boost {
+                direction: [along * east, along * north, -towards],
+                ..boost
+            }
+        });
         let pixel = 2.0 * (0.5 * view.fov_deg.to_radians()).tan() / f64::from(width);
         Ok(Camera {
-            observer,
+            observer: *frame.observer(),
+            boost,
             width,
             height,
             right: hole_from_camera.x_axis * pixel,
@@ -179,6 +218,58 @@ impl Camera {
         )
     }
 
+    /// Maps a unit view direction of the camera to that in which [`Camera::observer`] sees the same light, and returns
+    /// the ratio of the frequencies, camera over observer: the map scales small angles by it.
+    pub fn unboosted(&self, direction: DVec3) -> (DVec3, f64) {
+        let Some(boost) = self.boost else {
+            return (direction, 1.0);
+        };
+        let (direction, doppler) = boost.unboosted(direction.to_array());
+        (direction.into(), doppler)
+    }
+
+    /// The inverse of [`Camera::unboosted`], with the same ratio of the frequencies, camera over observer.
+    pub fn boosted(&self, direction: DVec3) -> (DVec3, f64) {
+        let Some(boost) = self.boost else {
+            return (direction, 1.0);
+        };
+        let (direction, scale) = boost.inverse().unboosted(direction.to_array());
+        (direction.into(), 1.0 / scale)
+    }
+
+    /// Bounds on the ratio of the frequencies, camera over observer, of light from within `radius` (rad) of the unit
+    /// `direction` in which [`Camera::observer`] sees it: (lowest, highest).
+    pub fn doppler_bounds(&self, direction: DVec3, radius: f64) -> (f64, f64) {
+        let Some(boost) = self.boost else {
+            return (1.0, 1.0);
+        };
+        let from_motion = direction.angle_between(boost.direction.into());
+        // ν_camera/ν_observer = ((1 + cos α) k + (1 − cos α)/k) / 2 falls with the angle α from the motion.
+        let ratio = |angle: f64| {
+            let cos = angle.clamp(0.0, PI).cos();
+            0.5 * ((1.0 + cos) * boost.doppler + (1.0 - cos) / boost.doppler)
+        };
+        let (near, far) = (ratio(from_motion - radius), ratio(from_motion + radius));
+        (near.min(far), near.max(far))
+    }
+
+    /// The patch of the picture with sides of `side` pixels around `at`, in pixels from the centre of the picture, as
+    /// [`Camera::observer`] sees it.
+    pub fn patch(&self, at: DVec2, side: f64) -> Patch {
+        let (ray, right, down) = (self.ray(at), self.right * side, self.down * side);
+        let Some(boost) = self.boost else {
+            return Patch::new(ray, right, down);
+        };
+        let length = ray.length();
+        let direction = ray / length;
+        let step = |step: DVec3| {
+            let across = (step - direction * step.dot(direction)) / length;
+            DVec3::from(boost.unboosted_step(direction.to_array(), across.to_array()))
+        };
+        let (row_direction, _) = self.unboosted(direction);
+        Patch::new(row_direction, step(right), step(down))
+    }
+
     /// The view direction at `at`, in pixels from the centre of the picture; in the hole frame, not normalised.
     pub fn ray(&self, at: DVec2) -> DVec3 {
         self.forward + self.right * at.x + self.down * at.y
@@ -208,18 +299,10 @@ impl Camera {
         inside.then_some((position.x as u32, position.y as u32))
     }
 
-    /// |dθ/d pixel| at pixel (column, row), rad: the size of the view angle's gradient.
+    /// |dθ/d pixel| at pixel (column, row), rad: the size of the gradient of the view angle θ that [`Camera::observer`]
+    /// sees.
     pub fn view_angle_gradient(&self, column: u32, row: u32) -> f64 {
-        let ray = self.ray(self.position(column, row));
-        let direction = ray.normalize();
-        let view_angle = ViewAngle::of(direction);
-        if view_angle.sin == 0.0 {
-            return self.right.length();
-        }
-        // The unit vector along which θ grows: away from the hole.
-        let away =
-            (direction.truncate() * (view_angle.cos / view_angle.sin)).extend(view_angle.sin);
-        (self.right.dot(away) / ray.length()).hypot(self.down.dot(away) / ray.length())
+        self.patch(self.position(column, row), 1.0).gradient()
     }
 }
 

@@ -5,7 +5,6 @@ use crate::filter::FilteredPixels;
 use crate::lens::Lens;
 use crate::picture::Picture;
 use crate::scene::{Sampling, Scene};
-use crate::sky::Sky;
 use crate::stars;
 use glam::{DVec3, Vec3};
 use lensbake_core::RayOutcome;
@@ -32,24 +31,26 @@ use rayon::prelude::*;
 pub fn render(scene: &Scene, row_done: impl Fn() + Sync) -> Picture {
     let (lens, sky) = (&scene.lens, scene.sky.as_ref());
     let camera = &lens.camera;
-    let filtered = FilteredPixels::new(lens);
+    let filtered = FilteredPixels::new(lens, scene.shift);
     let pixels = by_pixel(camera, row_done, |column, row| match scene.sampling {
-        Sampling::Single => single(lens, sky, camera.direction(column, row)).to_array(),
+        Sampling::Single => single(scene, camera.direction(column, row)).to_array(),
         Sampling::Filtered => filtered.light(sky, column, row).truncate().to_array(),
     });
     let mut picture = Picture::new(camera.width, camera.height, pixels);
     if let Some(field) = &scene.stars {
-        stars::draw(&mut picture, lens, field);
+        stars::draw(&mut picture, lens, field, scene.shift);
     }
     picture
 }
 
 /// The light of the single ray with the unit view `direction`, in the hole frame.
-fn single(lens: &Lens, sky: &Sky, direction: DVec3) -> Vec3 {
-    match lens.ray(direction) {
+fn single(scene: &Scene, direction: DVec3) -> Vec3 {
+    match scene.lens.ray(direction) {
         RayOutcome::Captured => Vec3::ZERO,
         RayOutcome::Escapes(ray) => {
-            sky.sample((lens.camera.sky_from_hole * ray.direction).as_vec3())
+            let on_sky = scene.lens.camera.sky_from_hole * ray.direction;
+            let light = scene.sky.sample(on_sky.as_vec3());
+            scene.shift.seen(light, ray.frequency_shift)
         }
     }
 }

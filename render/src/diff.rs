@@ -27,6 +27,8 @@ pub struct ReferencePixel {
     light: RayOutcome<LensedRay>,
     /// |dθ/d pixel|, rad.
     gradient: f64,
+    /// Ratio of the frequencies, camera over the observer of its row: the scale of the aberration.
+    doppler: f64,
     /// |θ − θ_c| in pixels.
     edge_distance: f64,
 }
@@ -105,13 +107,15 @@ impl ReferencePixel {
         let camera = &lens.camera;
         let view = camera.direction(column, row);
         let gradient = camera.view_angle_gradient(column, row);
-        let from_edge = ViewAngle::of(view).radians() - camera.observer.shadow_angle();
+        let (seen, doppler) = camera.unboosted(view);
+        let from_edge = ViewAngle::of(seen).radians() - camera.observer.shadow_angle();
         ReferencePixel {
             column,
             row,
             view,
             light: lens.exact_ray(view),
             gradient,
+            doppler,
             edge_distance: from_edge.abs() / gradient,
         }
     }
@@ -152,7 +156,7 @@ impl ReferencePixel {
                 let radial = self
                     .light
                     .escaped()
-                    .map_or(1.0, |ray| ray.jacobian.radial.abs());
+                    .map_or(1.0, |ray| ray.jacobian.radial.abs() / self.doppler);
                 PixelError::BothEscape {
                     radians,
                     pixels: radians / (radial * self.gradient),

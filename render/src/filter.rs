@@ -9,6 +9,7 @@
 use crate::footprint::Patch;
 use crate::lens::Lens;
 use crate::shadow::Shadow;
+use crate::shift::Shift;
 use crate::sky::Sky;
 use glam::{DVec2, DVec3, Vec3, Vec4};
 use lensbake_core::RayOutcome;
@@ -50,14 +51,16 @@ enum Kind {
 #[derive(Debug, Clone, Copy)]
 pub struct FilteredPixels<'a> {
     lens: &'a Lens,
+    shift: Shift,
     shadow: Shadow,
 }
 
 impl<'a> FilteredPixels<'a> {
-    /// The filtered pixels of the picture through `lens`.
-    pub fn new(lens: &'a Lens) -> Self {
+    /// The filtered pixels of the picture through `lens`, with this frequency shift.
+    pub fn new(lens: &'a Lens, shift: Shift) -> Self {
         FilteredPixels {
             lens,
+            shift,
             shadow: Shadow::of(lens),
         }
     }
@@ -112,8 +115,7 @@ impl<'a> FilteredPixels<'a> {
 
     /// The square patch with sides of `side` pixels, centred on `at`, in pixels from the centre of the picture.
     fn patch(&self, at: DVec2, side: f64) -> Patch {
-        let camera = &self.lens.camera;
-        Patch::new(camera.ray(at), camera.right * side, camera.down * side)
+        self.lens.camera.patch(at, side)
     }
 
     fn kind(&self, pixel: &Patch) -> Kind {
@@ -156,7 +158,12 @@ impl<'a> FilteredPixels<'a> {
         let taps = footprint.taps(sky.face_texels().into(), most_taps);
         let sample = |direction: DVec3| sky.sample_level(direction.as_vec3(), taps.level as f32);
         let sum: Vec3 = taps.directions(footprint.direction).map(sample).sum();
-        (sum / taps.count as f32).extend(1.0)
+        let light = sum / taps.count as f32;
+        match self.shift {
+            Shift::Off => light,
+            shift => shift.seen(light, self.lens.frequency_shift(patch.direction)),
+        }
+        .extend(1.0)
     }
 }
 
@@ -212,7 +219,7 @@ mod tests {
             for pixels in [0.2, 0.5, 1.1, 4.3, 15.0] {
                 let lens = lens(disc_view(radius, pixels), Deflection::Lut);
                 let edge = lens.camera.observer.shadow_angle();
-                let all = FilteredPixels::new(&lens);
+                let all = FilteredPixels::new(&lens, Shift::Off);
                 let sum: f64 = (0..SIDE * SIDE)
                     .map(|i| all.light(&white, i % SIDE, i / SIDE))
                     .map(|light| {
@@ -248,7 +255,7 @@ mod tests {
         };
         let lens = lens(view, Deflection::Flat);
         let white = Sky::from_fn(1, |_| Vec3::ONE);
-        let pixels = FilteredPixels::new(&lens);
+        let pixels = FilteredPixels::new(&lens, Shift::Off);
         let dark: f64 = (0..64 * 36)
             .map(|i| 1.0 - f64::from(pixels.light(&white, i % 64, i / 64).w))
             .sum();

@@ -105,11 +105,12 @@ pub struct LensedRay {
     pub direction: DVec3,
     /// Derivatives of the direction on the sky with respect to the view direction.
     pub jacobian: Jacobian,
-    /// ν_obs/ν_∞, the frequency at the observer divided by that at infinity: 1/√(1 − 1/r) for an observer at rest.
+    /// ν_obs/ν_∞, the frequency at the camera divided by that at infinity: 1/√(1 − 1/r) for a camera at rest.
     pub frequency_shift: f64,
 }
 
-/// The derivatives of the direction on the sky with respect to the view direction. Their inverses are the radial
+/// The derivatives of the direction on the sky with respect to the view direction, along the image of the direction away
+/// from the hole (radial) and across it (tangential). Their inverses are the radial
 /// and tangential magnification of an image there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Jacobian {
@@ -157,9 +158,28 @@ impl Lens {
 
     /// The ray outcome for a unit view `direction`, in the hole frame.
     pub fn ray(&self, direction: DVec3) -> RayOutcome<LensedRay> {
-        let angle = ViewAngle::of(direction);
-        self.deflect(angle)
-            .map(|deflected| LensedRay::new(&self.camera.observer, direction, angle, deflected))
+        self.lensed(direction, |angle| self.deflect(angle))
+    }
+
+    fn lensed(
+        &self,
+        direction: DVec3,
+        deflect: impl Fn(ViewAngle) -> RayOutcome<Deflected>,
+    ) -> RayOutcome<LensedRay> {
+        let (seen, doppler) = self.camera.unboosted(direction);
+        let angle = ViewAngle::of(seen);
+        let shift = doppler * self.camera.observer.frequency_shift(angle.radians());
+        deflect(angle).map(|deflected| {
+            let derivatives = Jacobian::of(angle, deflected);
+            LensedRay {
+                direction: angle.turn(seen, deflected.sky),
+                jacobian: Jacobian {
+                    radial: doppler * derivatives.radial,
+                    tangential: doppler * derivatives.tangential,
+                },
+                frequency_shift: shift,
+            }
+        })
     }
 
     /// The ray outcome for a view angle.
@@ -173,33 +193,34 @@ impl Lens {
         }
     }
 
+    /// ν_obs/ν_∞ of light of the sky in the unit direction in which the observer of the row sees it, which need not be
+    /// the camera (hole frame).
+    pub fn frequency_shift(&self, seen: DVec3) -> f64 {
+        let (_, doppler) = self.camera.boosted(seen);
+        doppler
+            * self
+                .camera
+                .observer
+                .frequency_shift(ViewAngle::of(seen).radians())
+    }
+
     /// As [`Lens::ray`], but always by the closed form: the reference for the deflection methods.
     pub fn exact_ray(&self, direction: DVec3) -> RayOutcome<LensedRay> {
-        let angle = ViewAngle::of(direction);
-        closed_form(&self.row, angle)
-            .map(|deflected| LensedRay::new(&self.camera.observer, direction, angle, deflected))
+        self.lensed(direction, |angle| closed_form(&self.row, angle))
     }
 }
 
-impl LensedRay {
-    fn new(
-        observer: &Observer,
-        direction: DVec3,
-        angle: ViewAngle,
-        Deflected { sky, radial }: Deflected,
-    ) -> Self {
-        LensedRay {
-            direction: angle.turn(direction, sky),
-            jacobian: Jacobian {
-                radial,
-                // On the axis, where sin θ is 0, both derivatives are equal.
-                tangential: if angle.sin > 0.0 {
-                    sky.sin / angle.sin
-                } else {
-                    radial
-                },
+impl Jacobian {
+    /// The derivatives at the view angle `angle`.
+    fn of(angle: ViewAngle, Deflected { sky, radial }: Deflected) -> Self {
+        Jacobian {
+            radial,
+            // On the axis, where sin θ is 0, both derivatives are equal.
+            tangential: if angle.sin > 0.0 {
+                sky.sin / angle.sin
+            } else {
+                radial
             },
-            frequency_shift: 1.0 / observer.lapse(),
         }
     }
 }
@@ -231,7 +252,8 @@ fn closed_form(row: &Row, angle: ViewAngle) -> RayOutcome<Deflected> {
     }
 }
 
-/// Ray outcome without deflection: a black sphere of radius r_s in front of the undeflected sky.
+/// Ray outcome without deflection: a black sphere of radius r_s in front of the undeflected sky; half of the sky below
+/// the horizon.
 fn undeflected(observer: &Observer, angle: ViewAngle) -> RayOutcome<Deflected> {
     if angle.cos > 0.0 && angle.sin < observer.inverse_radius() {
         RayOutcome::Captured

@@ -11,6 +11,7 @@
 pub mod camera;
 pub mod cpu;
 pub mod diff;
+pub mod exposure;
 pub mod filter;
 pub mod footprint;
 pub mod gpu;
@@ -20,6 +21,7 @@ pub mod picture;
 pub mod scene;
 pub mod shaders;
 pub mod shadow;
+pub mod shift;
 pub mod sky;
 pub mod stars;
 pub mod tone_map;

@@ -1,6 +1,7 @@
 //! A scene: a lens, the sky behind the hole, and point stars in front of that sky.
 
 use crate::lens::Lens;
+use crate::shift::Shift;
 use crate::sky::Sky;
 use crate::stars::StarField;
 use std::sync::Arc;
@@ -27,22 +28,30 @@ pub struct Scene<S = Arc<Sky>, P = Arc<StarField>> {
     pub sky: S,
     /// The point stars, if any.
     pub stars: Option<P>,
+    /// What of the frequency shift is shown.
+    pub shift: Shift,
 }
 
 impl<S, P> Scene<S, P> {
-    /// The scene of `sky` through `lens`, one ray per pixel, without stars.
+    /// The scene of `sky` through `lens`, one ray per pixel, without stars and without frequency shift.
     pub fn new(lens: Lens, sky: impl Into<S>) -> Self {
         Scene {
             lens,
             sampling: Sampling::Single,
             sky: sky.into(),
             stars: None,
+            shift: Shift::Off,
         }
     }
 
     /// The same scene with another sampling.
     pub fn with_sampling(self, sampling: Sampling) -> Self {
         Scene { sampling, ..self }
+    }
+
+    /// The same scene with another kind of shift.
+    pub fn with_shift(self, shift: Shift) -> Self {
+        Scene { shift, ..self }
     }
 
     /// The same scene with point stars.

@@ -5,8 +5,9 @@
 //! sky, a window centred on the direction away from the hole. Either disc has an edge at θ_c and ends on its far
 //! side one diameter from there, so one formula serves both.
 
-use crate::camera::ViewAngle;
+use crate::camera::{Camera, ViewAngle};
 use crate::lens::{Deflection, Lens};
+use glam::{DQuat, DVec3};
 use std::f64::consts::FRAC_PI_2;
 
 /// The shadow of a scene: the view angles below θ_c.
@@ -43,7 +44,7 @@ impl Shadow {
         let tan_half = match lens.deflection {
             Deflection::Lut | Deflection::Direct { .. } => observer.tan_half_shadow(),
             Deflection::Flat => {
-                let sin = observer.inverse_radius();
+                let sin = observer.inverse_radius().min(1.0);
                 sin / (1.0 + ((1.0 - sin) * (1.0 + sin)).sqrt())
             }
         };
@@ -52,6 +53,44 @@ impl Shadow {
             half_cos,
             half_sin: tan_half * half_cos,
         }
+    }
+
+    /// The shadow as a moving camera sees it, and the same camera in a frame with −Z along the middle of that shadow. The
+    /// aberration maps circles to circles, so the shadow of a boosted camera is a disc, too, but its middle is not in the
+    /// direction of the hole.
+    pub fn apparent(self, camera: &Camera) -> (Camera, Shadow) {
+        let Some(boost) = camera.boost else {
+            return (*camera, self);
+        };
+        // The plane through the hole and the motion holds a diameter. In it, angles are counted from the motion towards
+        // the hole, and the aberration divides tan(α/2) by k.
+        let motion = DVec3::from(boost.direction);
+        let hole = motion.angle_between(DVec3::NEG_Z);
+        let radius = 2.0 * self.half_sin.atan2(self.half_cos);
+        let seen = |angle: f64| {
+            let (sin, cos) = (0.5 * angle).sin_cos();
+            2.0 * (sin / boost.doppler).atan2(cos)
+        };
+        let (near, far) = (seen(hole - radius), seen(hole + radius));
+        let half = 0.25 * (far - near);
+        // The unit vector of the plane across the motion, on the side of the hole.
+        let across = (DVec3::NEG_Z - motion * DVec3::NEG_Z.dot(motion))
+            .try_normalize()
+            .unwrap_or_else(|| motion.any_orthonormal_vector());
+        let (sin, cos) = (0.5 * (near + far)).sin_cos();
+        let middle = motion * cos + across * sin;
+        let turn = DQuat::from_rotation_arc(middle, DVec3::NEG_Z);
+        let camera = Camera {
+            right: turn * camera.right,
+            down: turn * camera.down,
+            forward: turn * camera.forward,
+            ..*camera
+        };
+        let shadow = Shadow {
+            half_cos: half.cos(),
+            half_sin: half.sin(),
+        };
+        (camera, shadow)
     }
 
     /// 2 sin((θ − θ_c)/2): near the edge equal to θ − θ_c in rad, elsewhere of the same sign and at least 2/π of
@@ -98,7 +137,9 @@ impl Shadow {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::camera::{Camera, View};
+    use crate::camera::View;
+    use glam::DVec2;
+    use lensbake_core::{Motion, RayOutcome};
     use lensbake_tables::default_atlas;
     use std::f64::consts::PI;
 
@@ -145,6 +186,47 @@ mod tests {
         assert!(compared > 20, "{compared}");
         let (flat, _) = shadow(4.0, Deflection::Flat);
         assert!(flat.distance(view_angle(0.25f64.asin())).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_shadow_of_a_moving_camera_ends_where_its_rays_do() {
+        let velocity = |radial, tangential| Motion::Velocity { radial, tangential };
+        let mut compared = 0;
+        for (radius, motion) in [
+            (3.0, Motion::Orbit),
+            (10.0, velocity(0.0, 0.99)),
+            (1.2, velocity(-0.5, 0.6)),
+            (300.0, Motion::Fall),
+            (0.5, velocity(0.3, -0.8)),
+        ] {
+            let view = View {
+                radius,
+                motion,
+                heading_deg: 30.0,
+                ..View::default()
+            };
+            let camera = Camera::new(&view).unwrap();
+            let lens = Lens::new(camera, default_atlas(), Deflection::Lut).unwrap();
+            let (turned, shadow) = Shadow::of(&lens).apparent(&camera);
+            for i in 0..4000 {
+                let at = DVec2::new(f64::from(i % 63) - 31.0, f64::from(i / 63) - 31.0) * 90.0;
+                for sign in [1.0, -1.0] {
+                    let ray = (sign * camera.ray(at)).normalize();
+                    let seen = ViewAngle::of((sign * turned.ray(at)).normalize());
+                    let distance = shadow.distance(seen);
+                    if distance.abs() > 1e-9 {
+                        let captured = lens.ray(ray) == RayOutcome::Captured;
+                        assert_eq!(
+                            captured,
+                            distance < 0.0,
+                            "{radius} {motion} {at} {distance}"
+                        );
+                        compared += 1;
+                    }
+                }
+            }
+        }
+        assert!(compared > 30_000);
     }
 
     #[test]

@@ -14,15 +14,16 @@
 //! s = √(1−x) and the leading logarithm alone, both changes together reduce the error of 64 texels for r = ∞ from
 //! 7e-6 to 2e-8 rad (`docs/chart.md`).
 //!
-//! Below the horizon C falls without bound towards the singularity, and the row crowds at the shadow boundary, within
-//! 1 − x of about 1/|C|. The residual axis therefore uses the *row coordinate* there,
+//! Below the horizon C falls without bound towards the singularity, and the row crowds at both ends: within 1 − x of
+//! about 1/|C| at the shadow boundary, and straight away. The residual axis therefore uses the *row coordinate* there,
 //!
 //! ```text
-//! X = x / (x + σ (1−x)),     σ = √((1−C)/2)
+//! X = x / (x + σ (1−x)),     σ = ((1−C)/2)^(3/5),     √X = 1 − (7/4) q² + (3/4) q⁴
 //! ```
 //!
-//! which has the same ends, in place of x, and (5/18) C/σ in place of (5/18) C. At the horizon σ = 1, so that the axis is
-//! continuous there; above it X = x.
+//! in place of x and √x = 1 − q², and (5/18) C/σ in place of (5/18) C. X has the same ends as x, and σ = 1 at the horizon.
+//! The exponent and the coefficients of q were chosen for the smallest error of 64 texels from r = 1 to 0.01, in rad and
+//! in pixels (`docs/motion.md`).
 
 use crate::TableError;
 use lensbake_core::{B_CRIT, BendAndSlope, Observer, ShadowCoordinate};
@@ -57,7 +58,14 @@ pub enum Axis {
         /// b at the last texel.
         b_max: f64,
     },
+    /// The residual axis as the rows below the horizon use it ([`Axis::of`]). In files it is called residual, too.
+    ResidualBelow,
 }
+
+/// √X = 1 − (1 + e) q² + e q⁴ on the residual axis below the horizon.
+const STRETCH: f64 = 0.75;
+/// Exponent of σ = ((1−C)/2)^(3/5).
+const SCALE_EXPONENT: f64 = 0.6;
 
 /// The value that a row stores at a position q along its axis, and its slope.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,17 +80,30 @@ impl Axis {
     /// Name of the axis on the command line and in files.
     pub fn name(&self) -> &'static str {
         match self {
-            Axis::Residual => "residual",
+            Axis::Residual | Axis::ResidualBelow => "residual",
             Axis::UniformB { .. } => "b",
             Axis::UniformInverseB { .. } => "inverse-b",
             Axis::UniformLogB { .. } => "log-b",
         }
     }
 
+    /// The axis of the row of `observer` in a table on this axis.
+    pub fn of(self, observer: &Observer) -> Self {
+        match self {
+            Axis::Residual if observer.is_inside() => Axis::ResidualBelow,
+            other => other,
+        }
+    }
+
+    /// Whether it stores the bending without its logarithms.
+    pub fn is_residual(self) -> bool {
+        matches!(self, Axis::Residual | Axis::ResidualBelow)
+    }
+
     /// The range (b_min, b_max) of an axis in b; `None` for the residual axis, which has no such limits.
     pub fn b_range(&self) -> Option<(f64, f64)> {
         match *self {
-            Axis::Residual => None,
+            Axis::Residual | Axis::ResidualBelow => None,
             Axis::UniformB { b_min, b_max }
             | Axis::UniformInverseB { b_min, b_max }
             | Axis::UniformLogB { b_min, b_max } => Some((b_min, b_max)),
@@ -110,28 +131,43 @@ impl Axis {
 
     /// The normalised shadow coordinate x at the position `q` in [0, 1] of the row of `observer`.
     pub fn shadow_coordinate(&self, observer: &Observer, q: f64) -> ShadowCoordinate {
-        let at = self.coordinate(q);
-        match self {
-            // The inverse of a scaling by σ is that by 1/σ.
-            Axis::Residual => scaled(at, 1.0 / edge_scale(observer)),
-            _ => at,
-        }
+        // The inverse of a scaling by σ is that by 1/σ.
+        scaled(self.coordinate(q), 1.0 / self.edge_scale(observer))
     }
 
     /// dx/dq at the position `q` of the row of `observer`.
     pub(crate) fn shadow_coordinate_slope(&self, observer: &Observer, q: f64) -> f64 {
-        self.coordinate_slope(q) / row_coordinate_slope(self, observer, self.coordinate(q))
+        self.coordinate_slope(q) / self.row_coordinate_slope(observer, self.coordinate(q))
     }
 
-    /// The row coordinate X of the normalised shadow coordinate `at` of `observer`: on the residual axis
-    /// x/(x + σ(1−x)), with σ from [`edge_scale`]; otherwise x.
+    /// The row coordinate X of the normalised shadow coordinate `at` of `observer`: x above the horizon.
     #[inline]
     pub fn row_coordinate(&self, observer: &Observer, at: ShadowCoordinate) -> ShadowCoordinate {
-        if *self == Axis::Residual && observer.is_inside() {
-            scaled(at, edge_scale(observer))
-        } else {
-            at
+        match self {
+            Axis::ResidualBelow => scaled(at, self.edge_scale(observer)),
+            _ => at,
         }
+    }
+
+    /// dX/dx at the row coordinate `at`: (1 − X + σX)²/σ.
+    fn row_coordinate_slope(&self, observer: &Observer, at: ShadowCoordinate) -> f64 {
+        let scale = self.edge_scale(observer);
+        (at.one_minus_x + scale * at.x).powi(2) / scale
+    }
+
+    /// σ; 1 above the horizon.
+    #[inline]
+    pub fn edge_scale(&self, observer: &Observer) -> f64 {
+        match self {
+            Axis::ResidualBelow => (0.5 - 0.5 * observer.cos_shadow_at_rest()).powf(SCALE_EXPONENT),
+            _ => 1.0,
+        }
+    }
+
+    /// (5/18) C/σ, the coefficient of d ln d relative to that of ln d, with d = 1 − X.
+    #[inline]
+    pub fn log_weight(&self, observer: &Observer) -> f64 {
+        5.0 / 18.0 * observer.cos_shadow_at_rest() / self.edge_scale(observer)
     }
 
     /// Position q of a row coordinate outside the shadow. It is below 0 or above 1 beyond the range
@@ -141,6 +177,13 @@ impl Axis {
         let between = |value: f64, first: f64, last: f64| (value - first) / (last - first);
         match *self {
             Axis::Residual => (at.one_minus_x / (1.0 + at.x.sqrt())).sqrt(),
+            Axis::ResidualBelow => {
+                // The root of e q⁴ − (1+e) q² + (1 − √X), without cancellation.
+                let root = at.x.sqrt();
+                let rest = at.one_minus_x / (1.0 + root);
+                let discriminant = (1.0 - STRETCH).powi(2) + 4.0 * STRETCH * root;
+                (2.0 * rest / (1.0 + STRETCH + discriminant.sqrt())).sqrt()
+            }
             Axis::UniformB { b_min, b_max } => between(B_CRIT / at.x, b_min, b_max),
             Axis::UniformInverseB { b_min, b_max } => between(at.x, B_CRIT / b_min, B_CRIT / b_max),
             Axis::UniformLogB { b_min, b_max } => between(
@@ -162,6 +205,15 @@ impl Axis {
                     one_minus_x: q * q * (1.0 + root),
                 }
             }
+            Axis::ResidualBelow => {
+                let square = q * q;
+                let root = (1.0 - square) * (1.0 - STRETCH * square);
+                let rest = square * (1.0 + STRETCH * (1.0 - square));
+                ShadowCoordinate {
+                    x: root * root,
+                    one_minus_x: rest * (1.0 + root),
+                }
+            }
             Axis::UniformB { b_min, b_max } => ShadowCoordinate::from_b(between(b_min, b_max)),
             Axis::UniformInverseB { b_min, b_max } => {
                 ShadowCoordinate::from_b(1.0 / between(1.0 / b_min, 1.0 / b_max))
@@ -181,6 +233,7 @@ impl Axis {
         let x = self.coordinate(q).x;
         match *self {
             Axis::Residual => -4.0 * q * x.sqrt(),
+            Axis::ResidualBelow => -4.0 * q * x.sqrt() * (1.0 + STRETCH * (1.0 - 2.0 * q * q)),
             Axis::UniformB { b_min, b_max } => -x * x / B_CRIT * (b_max - b_min),
             Axis::UniformInverseB { b_min, b_max } => B_CRIT * (1.0 / b_max - 1.0 / b_min),
             Axis::UniformLogB { b_min, b_max } => {
@@ -196,7 +249,7 @@ impl Axis {
         let logarithm = self.logarithm(observer, at);
         Stored {
             value: bending.bend - logarithm.bend,
-            slope: (bending.slope / row_coordinate_slope(self, observer, at) - logarithm.slope)
+            slope: (bending.slope / self.row_coordinate_slope(observer, at) - logarithm.slope)
                 * self.coordinate_slope(q),
         }
     }
@@ -216,7 +269,7 @@ impl Axis {
         BendAndSlope {
             bend: stored.value + logarithm.bend,
             slope: (stored.slope / dx_dq + logarithm.slope)
-                * row_coordinate_slope(self, observer, at),
+                * self.row_coordinate_slope(observer, at),
         }
     }
 
@@ -230,34 +283,18 @@ impl Axis {
     /// with respect to the row coordinate; zero for the other axes.
     #[inline]
     fn logarithm(&self, observer: &Observer, at: ShadowCoordinate) -> BendAndSlope {
-        if *self != Axis::Residual {
+        if !self.is_residual() {
             return BendAndSlope {
                 bend: 0.0,
                 slope: 0.0,
             };
         }
-        let (d, weight) = (at.one_minus_x, log_weight(observer));
+        let (d, weight) = (at.one_minus_x, self.log_weight(observer));
         let (factor, ln) = (1.0 + weight * d, d.ln());
         BendAndSlope {
             bend: -factor * ln,
             slope: weight * ln + factor / d,
         }
-    }
-}
-
-/// (5/18) C/σ, the coefficient of d ln d relative to that of ln d, with d = 1 − X.
-#[inline]
-pub fn log_weight(observer: &Observer) -> f64 {
-    5.0 / 18.0 * observer.cos_shadow_at_rest() / edge_scale(observer)
-}
-
-/// σ: √((1−C)/2) below the horizon, 1 above.
-#[inline]
-pub fn edge_scale(observer: &Observer) -> f64 {
-    if observer.is_inside() {
-        (0.5 - 0.5 * observer.cos_shadow_at_rest()).sqrt()
-    } else {
-        1.0
     }
 }
 
@@ -268,15 +305,6 @@ fn scaled(at: ShadowCoordinate, scale: f64) -> ShadowCoordinate {
         x: x / sum,
         one_minus_x: scale * one_minus_x / sum,
     }
-}
-
-/// dX/dx at the row coordinate `at`: (1 − X + σX)²/σ on the residual axis.
-fn row_coordinate_slope(axis: &Axis, observer: &Observer, at: ShadowCoordinate) -> f64 {
-    if *axis != Axis::Residual {
-        return 1.0;
-    }
-    let scale = edge_scale(observer);
-    (at.one_minus_x + scale * at.x).powi(2) / scale
 }
 
 /// ln(b/b_c − 1), accurate even at the f64 values of b next to b_c.
@@ -291,10 +319,11 @@ mod tests {
 
     const RANGE: (f64, f64) = (2.6, 200.0);
 
-    fn axes() -> [Axis; 4] {
+    fn axes() -> [Axis; 5] {
         let (b_min, b_max) = RANGE;
         [
             Axis::Residual,
+            Axis::ResidualBelow,
             Axis::UniformB { b_min, b_max },
             Axis::UniformInverseB { b_min, b_max },
             Axis::UniformLogB { b_min, b_max },
@@ -337,7 +366,10 @@ mod tests {
         for axis in axes() {
             for i in 1..20 {
                 let q = f64::from(i) / 20.0;
-                let far = Observer::at_infinity();
+                let far = match axis {
+                    Axis::ResidualBelow => Observer::falling(0.1).unwrap(),
+                    _ => Observer::at_infinity(),
+                };
                 let stored = axis.stored(&far, q, bend);
                 let back = axis.bending(&far, axis.coordinate(q), stored);
                 assert!((back.bend - bend.bend).abs() < 1e-12, "{axis:?} at {q}");

@@ -171,6 +171,15 @@ impl Header {
         }
     }
 
+    /// The axis of row `index`. The limit at the horizon of the rows above it is on their axis.
+    pub fn axis_of_row(&self, index: u32) -> Axis {
+        match self.rows {
+            Rows::One { .. } => self.axis.of(&self.observer(index)),
+            _ if index < self.rows_above() => self.axis,
+            _ => self.axis.of(&self.observer(index)),
+        }
+    }
+
     /// Checks everything that a lookup relies on.
     ///
     /// # Errors
@@ -210,6 +219,9 @@ impl Header {
             self.solver.name.len() as u64,
             (0, MAX_SOLVER_NAME as u64),
         )?;
+        if self.axis == Axis::ResidualBelow {
+            return Err(field("axis", 4, "must be from 0 to 3"));
+        }
         if let Some((b_min, b_max)) = self.axis.b_range() {
             if !(b_min > lensbake_core::B_CRIT && b_max > b_min && b_max.is_finite()) {
                 return Err(field(

@@ -3,8 +3,7 @@
 //! [`crate::mirror`] has the same functions in Rust, in f32 and with the same operations. The reference in f64 is
 //! [`crate::Row::bend`].
 
-use crate::axis::{edge_scale, log_weight};
-use crate::{Interpolation, Row, Texel};
+use crate::{Axis, Interpolation, Row, Texel};
 use lensbake_core::Observer;
 
 /// WGSL source of the lookup above the horizon. The text of [`RowShape::wgsl`] must precede it.
@@ -73,6 +72,14 @@ pub struct RowShape {
 }
 
 impl RowShape {
+    /// The lookup for rows of this shape: [`WGSL`] or [`WGSL_BELOW`].
+    pub fn lookup_wgsl(self) -> &'static str {
+        match self.side {
+            HorizonSide::Above => WGSL,
+            HorizonSide::Below => WGSL_BELOW,
+        }
+    }
+
     /// Name of the module of [`WGSL_MODULES`] that has the row coordinate.
     pub fn row_coordinate(self) -> &'static str {
         match self.side {
@@ -124,10 +131,11 @@ pub struct ShadowEdge {
 impl ShadowEdge {
     /// The shadow boundary that `observer` sees.
     pub fn of(observer: &Observer) -> Self {
-        let scale = edge_scale(observer);
+        let axis = Axis::Residual.of(observer);
+        let scale = axis.edge_scale(observer);
         ShadowEdge {
             tan_half: (observer.tan_half_shadow() / scale) as f32,
-            log_weight: log_weight(observer) as f32,
+            log_weight: axis.log_weight(observer) as f32,
             away_slope: (observer.bend_slope_away() * scale) as f32,
             scale: scale as f32,
         }

@@ -48,6 +48,24 @@ pub fn by_view_angle(by_x: f32, x: f32, p: f32, edge: ShadowEdge, side: HorizonS
     }
 }
 
+/// The position q along the row, from `d` = 1 − X and `root` = √X.
+pub fn row_position(d: f32, root: f32, side: HorizonSide) -> f32 {
+    match side {
+        HorizonSide::Above => (d / (1.0 + root)).sqrt(),
+        HorizonSide::Below => {
+            (8.0 * d / ((1.0 + root) * (7.0 + (1.0 + 48.0 * root).sqrt()))).sqrt()
+        }
+    }
+}
+
+/// dX/dq.
+pub fn row_position_slope(q: f32, root: f32, side: HorizonSide) -> f32 {
+    match side {
+        HorizonSide::Above => -4.0 * q * root.max(1e-9),
+        HorizonSide::Below => -q * root.max(1e-9) * (7.0 - 6.0 * q * q),
+    }
+}
+
 impl GpuRow {
     /// The value and its derivative per texel at `position` (in texels), with the row's interpolation.
     pub fn interpolate(&self, position: f32) -> [f32; 2] {
@@ -60,7 +78,7 @@ impl GpuRow {
     }
 
     /// The bending in the direction with cos θ = `c` and sin θ = `p`, from a row on the residual axis:
-    /// Δ = R(q) − (1 + weight·d) ln d with d = 1 − X and q = √(1−√X). The slope is inaccurate straight away from
+    /// Δ = R(q) − (1 + weight·d) ln d with X the row coordinate, d = 1 − X, and q the position. The slope is inaccurate straight away from
     /// the hole: use [`GpuRow::bending_for_footprint`] there.
     pub fn bending(&self, c: f32, p: f32) -> RayOutcome<Bending> {
         let x = row_coordinate(c, p, self.edge, self.side);
@@ -70,11 +88,11 @@ impl GpuRow {
         let last = (self.texels.len() - 1) as f32;
         let d = 1.0 - x;
         let root = x.sqrt();
-        let q = (d / (1.0 + root)).sqrt();
+        let q = row_position(d, root, self.side);
         let [value, slope] = self.interpolate(q * last);
         let ln = d.ln();
         let factor = 1.0 + self.edge.log_weight * d;
-        let dx_dq = -4.0 * q * root.max(1e-9);
+        let dx_dq = row_position_slope(q, root, self.side);
         let by_x = slope * last / dx_dq + self.edge.log_weight * ln + factor / d;
         RayOutcome::Escapes(Bending {
             bend: value - factor * ln,

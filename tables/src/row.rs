@@ -6,6 +6,9 @@ use crate::lookup::{HorizonSide, RowShape};
 use crate::{Interpolation, TableError, Texel};
 use lensbake_core::{BendAndSlope, Observer, RayOutcome, ShadowCoordinate};
 
+/// Texels of the row of a moving observer for each texel of the table.
+const FRAME_REFINEMENT: usize = 4;
+
 /// The row of one observer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
@@ -31,16 +34,18 @@ impl Row {
     }
 
     /// The row for `observer` in another radial motion at the same radius: the bending Δ = θ − θ′ changes by the
-    /// difference of the two view angles θ at the same x, which is added at each texel. On the residual axis only; the
-    /// others are for the observer at infinity, who is at rest.
+    /// difference of the two view angles θ at the same x, which is added at each texel. Each interval between texels is
+    /// divided into [`FRAME_REFINEMENT`], because that difference is narrow for a distant observer; the cubics of the
+    /// row itself stay the same. On the residual axis only; the others are for the observer at infinity, who is at rest.
     pub(crate) fn in_frame_of(self, observer: Observer) -> Self {
-        let last = (self.texels.len() - 1) as f64;
-        let texels = self.texels.iter().enumerate().map(|(i, texel)| {
+        let count = (self.texels.len() - 1) * FRAME_REFINEMENT + 1;
+        let last = (count - 1) as f64;
+        let texels = (0..count).map(|i| {
             let q = i as f64 / last;
-            let aberration = self.aberration(&observer, q);
+            let (stored, aberration) = (self.stored(q), self.aberration(&observer, q));
             [
-                texel[0] + aberration.value,
-                texel[1] + aberration.slope / last,
+                stored.value + aberration.value,
+                (stored.slope + aberration.slope) / last,
             ]
         });
         Row {
@@ -138,7 +143,8 @@ impl Row {
         if at.one_minus_x <= 0.0 {
             return RayOutcome::Captured;
         }
-        if let (Axis::Residual, Some(bending)) = (self.axis, self.observer.bend_straight_away(at)) {
+        let away = self.observer.bend_straight_away(at);
+        if let Some(bending) = away.filter(|_| self.axis.is_residual()) {
             return RayOutcome::Escapes(bending);
         }
         let at = self.axis.row_coordinate(&self.observer, at);

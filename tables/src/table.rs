@@ -121,7 +121,7 @@ impl Table {
             })
             .collect();
         let row_frame = observer.in_row_frame();
-        let row = Row::new(self.header.axis, row_frame, texels);
+        let row = Row::new(self.header.axis.of(&observer), row_frame, texels);
         let moves = observer.redshifts()[1] != row_frame.redshifts()[1];
         Ok(if moves && !observer.is_at_rest() {
             row.in_frame_of(observer)

@@ -48,6 +48,7 @@ fn tables() {
                 tolerance: 1e-10,
             },
             measured: Measured::NOTHING,
+            measured_below: None,
         };
         let count = header.texel_count() as u32;
         let texels = (0..count).map(|index| [0.1 + index as f32, -0.25]);

@@ -13,7 +13,7 @@ use lensbake_core::{Observer, RayOutcome};
 use lensbake_program::{Printer, message};
 use lensbake_render::gpu::Gpu;
 use lensbake_tables::default_atlas;
-use lensbake_tables::lookup::{self, GpuRow};
+use lensbake_tables::lookup::GpuRow;
 use lensbake_tests::probe::{self, Bindings};
 use rayon::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -203,7 +203,8 @@ fn on_gpu(gpu: &Gpu, rays: usize) -> Count {
     for seed in 0..rays.div_ceil(MILLION) as u64 {
         let (observer, row, rays) = batch(1 << 40 | seed, MILLION);
         let constants = probe::shadow_edge(row.edge);
-        let source = [&row.shape().wgsl(0, 1), lookup::WGSL, &constants, PROBE].join("\n");
+        let shape = row.shape();
+        let source = [&shape.wgsl(0, 1), shape.lookup_wgsl(), &constants, PROBE].join("\n");
         let bindings = Bindings {
             questions: 0,
             answers: 2,

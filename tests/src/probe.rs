@@ -2,7 +2,7 @@
 
 use lensbake_render::gpu::{Gpu, texture};
 use lensbake_tables::Interpolation;
-use lensbake_tables::lookup::{RowShape, ShadowEdge};
+use lensbake_tables::lookup::{HorizonSide, RowShape, ShadowEdge};
 use pollster::block_on;
 use wgpu::util::DeviceExt;
 use wgpu::*;
@@ -82,6 +82,7 @@ fn row_texture(gpu: &Gpu, texels: &[[f32; 2]]) -> TextureView {
     let shape = RowShape {
         texels: texels.len() as u32,
         interpolation: Interpolation::Hermite,
+        side: HorizonSide::Above,
     };
     let [width, height] = shape.texture_size();
     let mut lines = texels.to_vec();
@@ -105,6 +106,7 @@ pub fn shadow_edge(edge: ShadowEdge) -> String {
         tan_half,
         log_weight,
         away_slope,
+        scale,
     } = edge;
-    format!("const EDGE = ShadowEdge({tan_half:e}, {log_weight:e}, {away_slope:e});\n")
+    format!("const EDGE = ShadowEdge({tan_half:e}, {log_weight:e}, {away_slope:e}, {scale:e});\n")
 }

@@ -1,6 +1,7 @@
 //! Light of very bright and of very many stars: neither the GPU nor the CPU loses any of it.
 
 use glam::{DVec3, Vec3};
+use lensbake_core::Motion;
 use lensbake_render::camera::{Camera, View};
 use lensbake_render::cpu;
 use lensbake_render::diff::PictureDifference;
@@ -19,6 +20,8 @@ const BETA: f64 = 0.3;
 
 const VIEW: View = View {
     radius: 25.0,
+    motion: Motion::Rest,
+    heading_deg: 0.0,
     orbit_deg: 0.0,
     latitude_deg: 0.0,
     yaw_deg: 27.0,

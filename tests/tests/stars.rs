@@ -1,7 +1,7 @@
 //! Drawn point stars against root-finding on the closed form, on the CPU and on the GPU.
 
 use glam::{DVec2, DVec3, Vec3};
-use lensbake_core::Observer;
+use lensbake_core::{Motion, Observer};
 use lensbake_render::camera::View;
 use lensbake_render::cpu;
 use lensbake_render::diff::PictureDifference;
@@ -73,6 +73,8 @@ fn check_images(draw: impl Fn(&Scene) -> Picture, radius: f64, beta: f64) {
         let zoom = zoom(&roots, target);
         let view = View {
             radius,
+            motion: Motion::Rest,
+            heading_deg: 0.0,
             orbit_deg: 33.0,
             latitude_deg: 11.0,
             // A little aside, so that the image falls between pixel centres.

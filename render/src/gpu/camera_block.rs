@@ -24,7 +24,11 @@ pub struct CameraBlock {
     tan_half_shadow: f32,
     size: [u32; 2],
     log_weight: f32,
-    padding: u32,
+    edge_scale: f32,
+    motion: [f32; 3],
+    doppler: f32,
+    redshifts: [f32; 2],
+    padding: [u32; 2],
 }
 
 impl CameraBlock {
@@ -47,7 +51,13 @@ impl CameraBlock {
             tan_half_shadow: edge.tan_half,
             size: [camera.width, camera.height],
             log_weight: edge.log_weight,
-            padding: 0,
+            edge_scale: edge.scale,
+            motion: camera
+                .boost
+                .map_or([0.0; 3], |b| b.direction.map(|x| x as f32)),
+            doppler: camera.boost.map_or(1.0, |b| b.doppler) as f32,
+            redshifts: camera.observer.redshifts().map(|z| z as f32),
+            padding: [0; 2],
         }
     }
 }
@@ -94,6 +104,10 @@ mod tests {
             tan_half_shadow,
             size,
             log_weight,
+            edge_scale,
+            motion,
+            doppler,
+            redshifts,
         );
         assert_layout!(
             &source,

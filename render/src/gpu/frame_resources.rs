@@ -16,7 +16,8 @@ use crate::lens::Lens;
 use crate::scene::Sampling;
 use crate::shaders::TILE;
 use crate::shadow::Shadow;
-use lensbake_tables::lookup::{GpuRow, RowShape};
+use crate::shift::Shift;
+use lensbake_tables::lookup::{GpuRow, HorizonSide, RowShape};
 use lensbake_tables::{Interpolation, Row};
 use std::sync::Arc;
 use wgpu::*;
@@ -111,6 +112,7 @@ impl FrameResources {
             RowShape {
                 texels: 4,
                 interpolation: Interpolation::Hermite,
+                side: HorizonSide::Above,
             },
         );
         let inputs = ClassifierInputs {
@@ -190,7 +192,7 @@ impl FrameResources {
 
     /// Sets the stars that the next dispatches draw through `lens`. Their lists are created anew only for other
     /// stars.
-    pub(super) fn show_stars(&mut self, lens: &Lens, stars: &StarsOnDevice) {
+    pub(super) fn show_stars(&mut self, lens: &Lens, stars: &StarsOnDevice, shift: Shift) {
         if self.stars.as_ref().is_none_or(|lists| !lists.are_of(stars)) {
             let size = [lens.camera.width, lens.camera.height];
             let size = match &self.target {
@@ -205,7 +207,7 @@ impl FrameResources {
             self.stars = Some(StarLists::new(&self.gpu, layouts, programs, stars, size));
         }
         if let Some(lists) = &mut self.stars {
-            lists.show(lens);
+            lists.show(lens, shift);
         }
     }
 

@@ -31,7 +31,7 @@ pub use realtime::{FrameContent, RealtimeRenderer};
 pub use region::Region;
 pub use renderer::{Renderer, Trace};
 pub use sky::SkyOnDevice;
-pub use source::{Output, PipelineKey, Store};
+pub use source::{MotionKey, Output, PipelineKey, Store};
 pub use stars::{StarLight, StarsOnDevice};
 pub use stopwatch::{Lap, Stopwatch, Timed};
 pub use texture::texture;

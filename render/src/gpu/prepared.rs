@@ -8,6 +8,7 @@ use super::source::{Output, PipelineKey, Store};
 use super::{GpuError, Passes, Region, ResidentScene, SkyOnDevice};
 use crate::lens::Lens;
 use crate::scene::Sampling;
+use crate::shift::Shift;
 use std::sync::Arc;
 use wgpu::*;
 
@@ -27,14 +28,20 @@ impl Prepared {
     pub(super) fn picture(renderer: &Renderer, scene: &ResidentScene) -> Self {
         let lens = &scene.lens;
         let output = Output::Picture(scene.sampling);
-        let key = PipelineKey::of(lens, output, Store::Buffer, scene.stars.is_some());
+        let key = PipelineKey::of(
+            lens,
+            output,
+            Store::Buffer,
+            scene.stars.is_some(),
+            scene.shift,
+        );
         let mut prepared = Prepared {
             program: renderer.program(key),
             sky: Some(scene.sky.clone()),
             resources: resources(renderer, lens, scene.sampling),
         };
         if let Some(stars) = &scene.stars {
-            prepared.resources.show_stars(lens, stars);
+            prepared.resources.show_stars(lens, stars, scene.shift);
         }
         prepared
     }
@@ -42,7 +49,13 @@ impl Prepared {
     /// Prepares the trace: where the light of each pixel comes from.
     pub(super) fn trace(renderer: &Renderer, lens: &Lens) -> Self {
         Prepared {
-            program: renderer.program(PipelineKey::of(lens, Output::Trace, Store::Buffer, false)),
+            program: renderer.program(PipelineKey::of(
+                lens,
+                Output::Trace,
+                Store::Buffer,
+                false,
+                Shift::Off,
+            )),
             sky: None,
             resources: resources(renderer, lens, Sampling::Single),
         }

@@ -117,7 +117,8 @@ impl Presenter {
             EdgeMode::AsDrawn => Shadow::NONE,
             EdgeMode::Redrawn(shadow) => shadow,
         };
-        let camera = CameraBlock::new(window, shadow);
+        let (window_camera, shadow) = shadow.apparent(window);
+        let camera = CameraBlock::new(&window_camera, shadow);
         let present = Present {
             picture,
             divider: presentation.divider.unwrap_or(NO_DIVIDER),

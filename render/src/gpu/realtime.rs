@@ -4,7 +4,7 @@
 use super::frame_resources::{FrameResources, Target};
 use super::pipelines::Program;
 use super::region::dispatch_pixels;
-use super::source::{Output, PipelineKey, Store};
+use super::source::{MotionKey, Output, PipelineKey, Store};
 use super::{Passes, Region, Renderer, ResidentScene, SkyOnDevice, StarLight};
 use crate::lens::Deflection;
 use crate::scene::Sampling;
@@ -134,8 +134,16 @@ impl RealtimeRenderer {
                 DrawKind::Picture(deflection) => (deflection, Output::Picture(scene.sampling)),
                 DrawKind::Difference => (direct, Output::Difference),
             };
-            let (row, stars) = (lens.row.shape(), scene.stars.is_some());
-            let key = PipelineKey::new(deflection, output, Store::Texture, row, stars);
+            let (row, motion) = (lens.row.shape(), MotionKey::of(&lens.camera));
+            let key = PipelineKey::new(
+                deflection,
+                output,
+                Store::Texture,
+                row,
+                scene.stars.is_some(),
+                motion,
+                scene.shift,
+            );
             let program = self.renderer.program(key);
             for region in part.bands(dispatch_pixels(deflection)) {
                 regions.push(region);
@@ -149,7 +157,7 @@ impl RealtimeRenderer {
         self.resources
             .show(lens, sampling, regions.into_iter(), gain);
         if let Some(stars) = &scene.stars {
-            self.resources.show_stars(lens, stars);
+            self.resources.show_stars(lens, stars, scene.shift);
         }
         self.sky = Some(scene.sky.clone());
     }

@@ -93,6 +93,7 @@ impl Renderer {
             sampling: scene.sampling,
             sky,
             stars,
+            shift: scene.shift,
         })
     }
 

@@ -1,9 +1,11 @@
 //! The key of a pipeline, and its WGSL source.
 
 use super::stars;
+use crate::camera::Camera;
 use crate::lens::{Deflection, Lens};
 use crate::scene::Sampling;
 use crate::shaders::Modules;
+use crate::shift::Shift;
 use lensbake_tables::lookup::RowShape;
 
 /// What a dispatch computes.
@@ -35,6 +37,65 @@ enum DeflectionKey {
     Flat,
 }
 
+/// What a shader is specialised for in the camera's motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct MotionKey {
+    /// Whether the observer of the row moves.
+    radial: bool,
+    /// Whether the camera has a boost relative to that observer.
+    boosted: bool,
+}
+
+impl MotionKey {
+    /// A camera at rest.
+    pub const AT_REST: MotionKey = MotionKey {
+        radial: false,
+        boosted: false,
+    };
+    /// A camera with a boost relative to an observer at rest.
+    pub const BOOSTED: MotionKey = MotionKey {
+        radial: false,
+        boosted: true,
+    };
+
+    /// The key of a camera's motion.
+    pub fn of(camera: &Camera) -> Self {
+        MotionKey {
+            radial: !camera.observer.is_at_rest(),
+            boosted: camera.boost.is_some(),
+        }
+    }
+
+    /// The key for the images of stars, in which a radial motion is part of the inverse row.
+    pub(super) fn of_stars(self) -> Self {
+        MotionKey {
+            radial: false,
+            ..self
+        }
+    }
+
+    /// The modules that it selects, by the names that other modules import.
+    pub(super) fn define(self, modules: &mut Modules) {
+        let either = |is: bool, yes: &str, no: &str| alias_module(if is { yes } else { no });
+        modules.define("view", either(self.boosted, "view_boosted", "view_rest"));
+        modules.define(
+            "observe",
+            either(self.boosted, "observe_boosted", "observe_rest"),
+        );
+        modules.define("start", either(self.radial, "start_moving", "start_rest"));
+    }
+}
+
+/// Defines the module `shift`.
+pub(super) fn define_shift(modules: &mut Modules, shift: Shift) {
+    let module = match shift {
+        Shift::Off => "shift_off",
+        Shift::Brightness => "shift_brightness",
+        Shift::Colour => "shift_colour",
+    };
+    modules.define("shift", alias_module(module));
+}
+
 /// What a pipeline is specialised for. A shader contains no code for what its scene lacks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct PipelineKey {
@@ -47,22 +108,31 @@ pub struct PipelineKey {
     pub row: RowShape,
     /// Whether it draws stars in front of the sky.
     pub stars: bool,
+    /// How the camera moves.
+    motion: MotionKey,
+    /// What of the frequency shift is shown.
+    shift: Shift,
 }
 
 /// Names of the modules that depend on the key.
 const ROW: &str = "row";
+const ROW_COORDINATE: &str = "row_coordinate";
 const DEFLECT: &str = "deflect";
 
 impl PipelineKey {
     /// The key of a pipeline that computes `output` by `deflection`. `stars` is ignored unless `output` is a
-    /// picture.
+    /// picture, `shift` if it is a trace.
     pub fn new(
         deflection: Deflection,
         output: Output,
         store: Store,
         row: RowShape,
         stars: bool,
+        motion: MotionKey,
+        shift: Shift,
     ) -> Self {
+        let integrates =
+            matches!(deflection, Deflection::Direct { .. }) || output == Output::Difference;
         PipelineKey {
             deflection: match deflection {
                 Deflection::Lut => DeflectionKey::Lut,
@@ -75,12 +145,22 @@ impl PipelineKey {
             store,
             row,
             stars: stars && matches!(output, Output::Picture(_)),
+            // Only direct integration starts differently for a radial motion; for the table it is in the row.
+            motion: MotionKey {
+                radial: motion.radial && integrates,
+                ..motion
+            },
+            shift: match output {
+                Output::Trace => Shift::Off,
+                Output::Picture(_) | Output::Difference => shift,
+            },
         }
     }
 
     /// The key of a pipeline that computes `output` through `lens`.
-    pub(super) fn of(lens: &Lens, output: Output, store: Store, stars: bool) -> Self {
-        PipelineKey::new(lens.deflection, output, store, lens.row.shape(), stars)
+    pub(super) fn of(lens: &Lens, output: Output, store: Store, stars: bool, shift: Shift) -> Self {
+        let (row, motion) = (lens.row.shape(), MotionKey::of(&lens.camera));
+        PipelineKey::new(lens.deflection, output, store, row, stars, motion, shift)
     }
 
     /// The key of the pipelines that classify tiles for this one; `None` if it does not draw by tiles.
@@ -95,6 +175,11 @@ impl PipelineKey {
             },
             store: Store::Buffer,
             stars: false,
+            motion: MotionKey {
+                radial: false,
+                ..self.motion
+            },
+            shift: Shift::Off,
             ..self
         })
     }
@@ -152,6 +237,9 @@ impl PipelineKey {
     fn modules(self) -> Modules {
         let mut modules = Modules::new();
         modules.define(ROW, self.row.wgsl(0, 2));
+        modules.define(ROW_COORDINATE, alias_module(self.row.row_coordinate()));
+        self.motion.define(&mut modules);
+        define_shift(&mut modules, self.shift);
         modules.define("step", format!("const STEP: f32 = {:?};\n", self.step()));
         modules.define(DEFLECT, self.deflect());
         modules
@@ -182,7 +270,7 @@ impl PipelineKey {
 }
 
 /// A module that only imports the module `of`.
-fn alias_module(of: &str) -> String {
+pub(super) fn alias_module(of: &str) -> String {
     format!("// #import {of}\n")
 }
 
@@ -198,7 +286,22 @@ fn calls(module: &str, ray: &str, patch: &str) -> String {
 pub(super) mod tests {
     use super::*;
     use lensbake_tables::Interpolation;
+    use lensbake_tables::lookup::HorizonSide;
     use naga::valid::{Capabilities, ValidationFlags, Validator};
+
+    /// At rest, in free fall, in orbit, below the horizon and boosted there, with every kind of shift.
+    const OBSERVERS: [(HorizonSide, MotionKey, Shift); 5] = {
+        const fn motion(radial: bool, boosted: bool) -> MotionKey {
+            MotionKey { radial, boosted }
+        }
+        [
+            (HorizonSide::Above, motion(false, false), Shift::Off),
+            (HorizonSide::Above, motion(true, false), Shift::Brightness),
+            (HorizonSide::Above, motion(false, true), Shift::Colour),
+            (HorizonSide::Below, motion(true, false), Shift::Off),
+            (HorizonSide::Below, motion(true, true), Shift::Colour),
+        ]
+    };
 
     /// Keys of every kind.
     pub(in crate::gpu) fn keys() -> Vec<PipelineKey> {
@@ -219,11 +322,16 @@ pub(super) mod tests {
                 for store in [Store::Buffer, Store::Texture] {
                     for interpolation in [Interpolation::Linear, Interpolation::Hermite] {
                         for stars in [false, true] {
-                            let row = RowShape {
-                                texels: 64,
-                                interpolation,
-                            };
-                            keys.push(PipelineKey::new(deflection, output, store, row, stars));
+                            for (side, motion, shift) in OBSERVERS {
+                                let row = RowShape {
+                                    texels: 64,
+                                    interpolation,
+                                    side,
+                                };
+                                keys.push(PipelineKey::new(
+                                    deflection, output, store, row, stars, motion, shift,
+                                ));
+                            }
                         }
                     }
                 }
@@ -235,7 +343,7 @@ pub(super) mod tests {
     #[test]
     fn every_shader_is_valid() {
         let keys = keys();
-        assert_eq!(keys.len(), 96);
+        assert_eq!(keys.len(), 480);
         for key in keys {
             validate(&key.source(), key.entry_points());
             if let Some(classifier) = key.classifier() {

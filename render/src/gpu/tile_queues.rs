@@ -165,8 +165,10 @@ mod tests {
     use crate::gpu::{Gpu, Renderer, SkyOnDevice};
     use crate::lens::{Deflection, Lens};
     use crate::scene::Sampling;
+    use crate::shift::Shift;
     use crate::sky::Sky;
     use glam::Vec3;
+    use lensbake_core::Motion;
     use lensbake_tables::default_atlas;
     use pollster::block_on;
 
@@ -189,7 +191,13 @@ mod tests {
         let mut resources = FrameResources::on_buffer(renderer, most);
         resources.show(lens, Sampling::Filtered, regions.iter().copied(), 1.0);
         let output = Output::Picture(Sampling::Filtered);
-        let program = renderer.program(PipelineKey::of(lens, output, Store::Buffer, false));
+        let program = renderer.program(PipelineKey::of(
+            lens,
+            output,
+            Store::Buffer,
+            false,
+            Shift::Off,
+        ));
         for index in 0..regions.len() {
             let mut encoder = device.create_command_encoder(&Default::default());
             resources.encode(&mut encoder, Some(sky), &program, index, None);
@@ -244,16 +252,25 @@ mod tests {
     fn a_tile_has_at_least_the_class_of_each_of_its_pixels() {
         let renderer = Renderer::new(&block_on(Gpu::open()).unwrap());
         let mut seen = [0; 3];
-        for (radius, yaw_deg, fov_deg, width) in [
-            (25.0, 0.0, 90.0, 240),
-            (1.2, 140.0, 90.0, 240),
-            (1.5, 180.0, 120.0, 160),
-            (3.0, 40.0, 175.0, 160),
-            (1000.0, 3.0, 20.0, 240),
-            (1e6, 0.01, 0.1, 160),
+        let velocity = |radial, tangential| Motion::Velocity { radial, tangential };
+        for (radius, motion, yaw_deg, fov_deg, width) in [
+            (25.0, Motion::Rest, 0.0, 90.0, 240),
+            (1.2, Motion::Rest, 140.0, 90.0, 240),
+            (1.5, Motion::Rest, 180.0, 120.0, 160),
+            (3.0, Motion::Rest, 40.0, 175.0, 160),
+            (1000.0, Motion::Rest, 3.0, 20.0, 240),
+            (1e6, Motion::Rest, 0.01, 0.1, 160),
+            (1.0, Motion::Fall, 40.0, 90.0, 240),
+            (0.1, Motion::Fall, 110.0, 120.0, 160),
+            (3.0, Motion::Orbit, 60.0, 120.0, 240),
+            (2.0, velocity(-0.9, 0.3), 0.0, 120.0, 160),
+            (10.0, velocity(0.0, 0.99995), 80.0, 120.0, 160),
+            (10.0, velocity(0.0, 0.99995), -60.0, 120.0, 160),
+            (0.5, velocity(0.4, 0.5), 60.0, 100.0, 160),
         ] {
             let view = View {
                 radius,
+                motion,
                 yaw_deg,
                 pitch_deg: 7.0 * fov_deg / 90.0,
                 fov_deg,
@@ -270,7 +287,7 @@ mod tests {
                 let camera = Camera::new(&view).unwrap();
                 let lens = Lens::new(camera, default_atlas(), deflection).unwrap();
                 let queues = classified(&renderer, &lens, &sky, &[whole]);
-                let pixels = FilteredPixels::new(&lens);
+                let pixels = FilteredPixels::new(&lens, Shift::Off);
                 for (class, queue) in CLASSES.iter().zip(&queues) {
                     for (tile, i) in queue.iter().flat_map(|t| (0..64).map(move |i| (t, i))) {
                         let column = TILE * (tile & 0xffff) + i % TILE;

@@ -69,8 +69,9 @@ impl fmt::Display for Cost {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::{Output, PipelineKey, Store};
-    use lensbake_tables::lookup::RowShape;
+    use crate::gpu::{MotionKey, Output, PipelineKey, Store};
+    use crate::shift::Shift;
+    use lensbake_tables::lookup::{HorizonSide, RowShape};
 
     use naga::{Block, Expression, Function, Handle, Module, Statement};
 
@@ -157,8 +158,18 @@ mod tests {
         let row = RowShape {
             texels: 64,
             interpolation,
+            side: HorizonSide::Above,
         };
-        let source = PipelineKey::new(method, Output::Trace, Store::Buffer, row, false).source();
+        let source = PipelineKey::new(
+            method,
+            Output::Trace,
+            Store::Buffer,
+            row,
+            false,
+            MotionKey::AT_REST,
+            Shift::Off,
+        )
+        .source();
         let module = naga::front::wgsl::parse_str(&source).unwrap();
         let name = match method {
             Deflection::Lut => "deflect_lut",

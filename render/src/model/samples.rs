@@ -49,12 +49,15 @@ fn lattice(camera: &Camera) -> impl Iterator<Item = (u32, u32)> {
 fn rings(camera: &Camera) -> impl Iterator<Item = (u32, u32)> {
     let ring = move |ring: u32| {
         let q = (f64::from(ring) + 0.5) / f64::from(RINGS);
-        let theta = camera.observer.view_angle(Axis::Residual.coordinate(q).x);
+        let axis = Axis::Residual.of(&camera.observer);
+        let theta = camera
+            .observer
+            .view_angle(axis.shadow_coordinate(&camera.observer, q).x);
         (0..ROUND).filter_map(move |i| {
             let azimuth = TAU * (f64::from(i) / f64::from(ROUND) + GOLDEN * f64::from(ring));
             let (sin, cos) = theta.sin_cos();
             let direction = DVec3::new(sin * azimuth.cos(), sin * azimuth.sin(), -cos);
-            camera.pixel(direction)
+            camera.pixel(camera.boosted(direction).0)
         })
     };
     (0..RINGS).flat_map(ring)

@@ -20,8 +20,15 @@ struct Camera {
     tan_half_shadow: f32,
     // Width and height of the picture, pixels.
     size: vec2<u32>,
-    // ShadowEdge.log_weight: (5/18) cos θ_c.
+    // ShadowEdge.log_weight: (5/18) C/σ, and ShadowEdge.scale: σ.
     log_weight: f32,
+    edge_scale: f32,
+    // Unit vector of the boost relative to the observer of the row, and its Doppler factor √((1+β)/(1−β)): 0 and 1
+    // without one.
+    motion: vec3<f32>,
+    doppler: f32,
+    // Redshift factors ν_∞/ν_obs of the observer of the row, in the direction of the hole and straight away.
+    redshifts: vec2<f32>,
 }
 
 @group(0) @binding(0) var<uniform> camera: Camera;

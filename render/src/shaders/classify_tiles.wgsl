@@ -6,6 +6,7 @@
 // #import footprint
 // #import shadow
 // #import sky
+// #import view
 // #import work_queues
 
 // Rounding error of the distance from the shadow's edge in f32, rad.
@@ -32,17 +33,21 @@ fn class_of_tile(corner: vec2<f32>) -> u32 {
     // The angular width of a pixel is largest at the centre of the picture and decreases outwards.
     let step = length(camera.right);
     let nearest = step * max(length(at) - half_diagonal, 0.0);
-    let px = step * inverseSqrt(nearest * nearest + 1.0);
+    let seen_px = step * inverseSqrt(nearest * nearest + 1.0);
+    // As the observer of the row sees them: at most this wide.
+    let scale = largest_scale(at, half_diagonal * seen_px);
+    let px = scale * seen_px;
     let reach = half_diagonal * px;
+    let rounding = scale * ROUNDING;
 
-    let d = normalize(view_ray(at));
+    let d = direction_at(at);
     let c = -d.z;
     let p = length(d.xy);
     let distance = shadow_distance(c, p, half_shadow());
-    if distance < -NEAR_INSIDE * px - reach - ROUNDING {
+    if distance < -NEAR_INSIDE * px - reach - rounding {
         return ONE_TAP;
     }
-    if distance < NEAR_OUTSIDE * px + reach + ROUNDING {
+    if distance < NEAR_OUTSIDE * px + reach + rounding {
         return MANY_RAYS;
     }
     // The deflection angle Δ (bending) is largest at the point of the tile nearest to the hole.

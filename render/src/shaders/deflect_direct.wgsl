@@ -5,6 +5,7 @@
 // #import arithmetic
 // #import camera
 // #import deflection
+// #import start
 // #import step
 
 // Largest orbital angle that is integrated, rad. In f32 no ray that turns further can be distinguished from a
@@ -46,8 +47,7 @@ fn land(y: vec2<f32>) -> f32 {
 }
 
 fn deflect_direct(c: f32, p: f32) -> Deflected {
-    // du/dφ = u √(1−u) cot θ, positive towards the hole.
-    var y = vec2(camera.inverse_radius, camera.inverse_radius * camera.lapse * c / max(p, 1e-20));
+    var y = vec2(camera.inverse_radius, start_slope(c, p));
     if y.y > CAPTURE_SLOPE {
         return Deflected(CAPTURED, 0.0, 0.0, 0.0);
     }
@@ -62,7 +62,7 @@ fn deflect_direct(c: f32, p: f32) -> Deflected {
             let phi = cos_sin(f32(i) * STEP + land(y));
             return Deflected(ESCAPES, -phi.x, phi.y, 0.0);
         }
-        if next.x >= 1.0 {
+        if is_captured(next) {
             return Deflected(CAPTURED, 0.0, 0.0, 0.0);
         }
         y = next;

@@ -4,7 +4,7 @@
 // #import lookup
 
 fn shadow_edge() -> ShadowEdge {
-    return ShadowEdge(camera.tan_half_shadow, camera.log_weight, camera.away_slope);
+    return ShadowEdge(camera.tan_half_shadow, camera.log_weight, camera.away_slope, camera.edge_scale);
 }
 
 fn deflect_lut(c: f32, p: f32) -> Deflected {

@@ -4,6 +4,7 @@
 // #import output
 // #import region
 // #import sky
+// #import view
 @compute @workgroup_size(TILE, TILE)
 fn difference(@builtin(global_invocation_id) id: vec3<u32>) {
     if !in_region(id) {

@@ -8,6 +8,7 @@
 // #import region
 // #import shadow
 // #import sky
+// #import view
 // #import work_queues
 
 @group(0) @binding(4) var<storage, read> tiles: array<u32>;
@@ -16,11 +17,6 @@
 fn queued_pixel(queue: u32, dispatch: vec3<u32>, workgroup: vec3<u32>, local: vec3<u32>) -> vec3<u32> {
     let tile = tiles[first_tile(queue) + workgroup.y * dispatch.x + workgroup.x];
     return vec3(TILE * vec2(tile & 0xffffu, tile >> 16u) + local.xy, 0u);
-}
-
-// The square patch with sides of `side` pixels, centred on `at`, in pixels from the picture's centre.
-fn patch_at(at: vec2<f32>, side: f32) -> Patch {
-    return patch_of(view_ray(at), camera.right * side, camera.down * side);
 }
 
 // The mean light of a patch that sees only sky, with alpha 1; 0 if its ray is captured.
@@ -48,7 +44,7 @@ fn patch_light(seen: Patch, most_taps: f32) -> vec4<f32> {
         along = along * step.x - d * step.y;
         d = next;
     }
-    return vec4(sum / spread.count, 1.0);
+    return vec4(seen_light(sum / spread.count, seen.d), 1.0);
 }
 
 // Tile class OneTap: magnified sky with one bilinear tap per pixel, or no sky.

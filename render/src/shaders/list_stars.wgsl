@@ -5,6 +5,8 @@
 // #import constants
 // #import inverse_lens
 // #import kernel
+// #import observe
+// #import shift
 // #import star_images
 // #import star_list_heads
 // #import star_node
@@ -142,10 +144,12 @@ fn draw(star: Star, order: u32) {
     let side = select(1.0, -1.0, (order & 1u) == 1u);
     let sky_angle = side * angle(c, p) - 6.2831855 * f32(order >> 1u);
     let seen = star_image(sky_angle, p);
+    let azimuth = d.xy * (side / max(p, 1e-30));
+    let direction = vec3(azimuth * seen.cos_sin.y, -seen.cos_sin.x);
     let light = star.light * (point_share(c, p, order == 0u) * seen.magnification);
-    if seen.visible && max(light.r, max(light.g, light.b)) >= MIN_LIGHT {
-        let azimuth = d.xy * (side / max(p, 1e-30));
-        show(vec3(azimuth * seen.cos_sin.y, -seen.cos_sin.x), light);
+    let image = observed(direction, seen_light(light, direction));
+    if seen.visible && max(image.light.r, max(image.light.g, image.light.b)) >= MIN_LIGHT {
+        show(image.direction, image.light);
     }
 }
 

@@ -8,6 +8,7 @@
 
 use crate::filter::{MAX_TAPS, MAX_TAPS_BESIDE_EDGE, NEAR_INSIDE, NEAR_OUTSIDE, SUB_RAYS};
 use crate::footprint::{ONE_TAP_SQ, SPACING};
+use crate::shift;
 use crate::stars::images::MIN_LIGHT;
 use crate::stars::kernel::REACHES;
 use crate::tone_map::KNEE;
@@ -42,12 +43,15 @@ const FILES: &[(&str, &str)] = files![
     "difference",
     "filter",
     "footprint",
+    "frequency_shift",
     "inverse_lens",
     "keep_sky",
     "keep_stars",
     "kernel",
     "link_overflow_sums",
     "list_stars",
+    "observe_boosted",
+    "observe_rest",
     "output_buffer",
     "output_texture",
     "patch",
@@ -55,6 +59,9 @@ const FILES: &[(&str, &str)] = files![
     "present",
     "region",
     "shadow",
+    "shift_brightness",
+    "shift_colour",
+    "shift_off",
     "sky",
     "srgb",
     "star_images_bent",
@@ -63,9 +70,13 @@ const FILES: &[(&str, &str)] = files![
     "star_list",
     "star_list_heads",
     "star_node",
+    "start_moving",
+    "start_rest",
     "sum_overflow_lists",
     "tone_map",
     "trace",
+    "view_boosted",
+    "view_rest",
     "work_queues",
 ];
 
@@ -147,6 +158,12 @@ fn constants() -> String {
         ("KNEE", KNEE.into()),
         ("CORE", core),
         ("MIN_LIGHT", MIN_LIGHT.into()),
+        ("DARKEST", shift::DARKEST),
+        ("WHITE_BODY", 1.0 / shift::WHITE_KELVIN),
+        ("GREEN_OVER_RED", shift::green_over_red()),
+        ("BLUE_OVER_RED", shift::blue_over_red()),
+        ("COLDEST", 1.0 / shift::KELVINS.start()),
+        ("HOTTEST", 1.0 / shift::KELVINS.end()),
     ];
     let unsigned = unsigned.map(|(name, value)| format!("const {name}: u32 = {value}u;\n"));
     let floats = floats.map(|(name, value)| format!("const {name}: f32 = {:?};\n", value as f32));

@@ -3,6 +3,7 @@
 // #import keep
 // #import region
 // #import sky
+// #import view
 @compute @workgroup_size(TILE, TILE)
 fn picture(@builtin(global_invocation_id) id: vec3<u32>) {
     if !in_region(id) {

@@ -18,8 +18,3 @@ struct Region {
 fn in_region(id: vec3<u32>) -> bool {
     return all(id.xy < region.count);
 }
-
-// The unit view direction of the centre of pixel `id` of the region.
-fn view_direction(id: vec2<u32>) -> vec3<f32> {
-    return normalize(view_ray(from_middle(region.first + id)));
-}

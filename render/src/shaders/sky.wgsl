@@ -1,6 +1,7 @@
 // The light of the sky.
 // #import camera
 // #import deflection
+// #import shift
 
 @group(1) @binding(0) var sky: texture_cube<f32>;
 @group(1) @binding(1) var sky_sampler: sampler;
@@ -16,5 +17,5 @@ fn pixel_light(d: vec3<f32>, p: f32, deflected: Deflected) -> vec4<f32> {
     if deflected.outcome != ESCAPES {
         return vec4(0.0);
     }
-    return vec4(sky_light(turn_direction(d, p, deflected)), 1.0);
+    return vec4(seen_light(sky_light(turn_direction(d, p, deflected)), d), 1.0);
 }

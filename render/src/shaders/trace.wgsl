@@ -3,6 +3,7 @@
 // #import deflect
 // #import output
 // #import region
+// #import view
 @compute @workgroup_size(TILE, TILE)
 fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
     if !in_region(id) {

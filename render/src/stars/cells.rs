@@ -7,6 +7,7 @@ use super::images::{ImageOrder, InverseLens, MIN_LIGHT, view_direction};
 use super::kernel::REACHES;
 use super::{PointStar, StarField};
 use crate::camera::{Camera, ViewAngle};
+use crate::shift::Shift;
 use crate::sky::{face_coordinates, texel_direction};
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
@@ -114,13 +115,19 @@ impl Cells {
 
     /// Replaces the contents of `candidates` by the images that the picture of `camera` may show through `lens`.
     /// They include all visible images, and perhaps a few that are not visible.
-    pub fn find(&self, camera: &Camera, lens: &InverseLens, candidates: &mut Candidates) {
+    pub fn find(
+        &self,
+        camera: &Camera,
+        lens: &InverseLens,
+        shift: Shift,
+        candidates: &mut Candidates,
+    ) {
         candidates.points.clear();
         candidates.arcs.clear();
-        let frustum = Frustum::of(camera);
+        let frustum = Frustum::of(camera, shift);
         let orders = ImageBounds::of(lens, self.disc_radius);
         for cell in &self.cells {
-            self.append(candidates, cell, camera, &frustum, &orders);
+            self.append(candidates, cell, &frustum, &orders);
         }
     }
 
@@ -129,11 +136,10 @@ impl Cells {
         &self,
         candidates: &mut Candidates,
         cell: &Cell,
-        camera: &Camera,
         frustum: &Frustum,
         orders: &ImageBounds,
     ) {
-        let direction = camera.sky_from_hole.transpose() * cell.middle;
+        let direction = frustum.camera.sky_from_hole.transpose() * cell.middle;
         let beta = ViewAngle::of(direction).radians();
         if orders.may_be_arc(beta.min(PI - beta) - cell.radius) {
             candidates.arcs.extend(cell.stars.clone());
@@ -149,11 +155,17 @@ impl Cells {
                 }
                 break;
             };
-            let least = (f64::from(MIN_LIGHT) / seen.brightness) as f32 * (1.0 - 1e-6);
+            let image = ImageCircle::around(azimuth * order.side, &seen, cell.radius);
+            let brightness = seen.brightness * frustum.largest_factor(&image);
+            let least = (f64::from(MIN_LIGHT) / brightness) as f32 * (1.0 - 1e-6);
             if cell.brightest < least && !order.is_straight() {
-                break;
+                // The higher image orders are fainter, unless motion or shift brighten another part of the view.
+                if frustum.is_even() {
+                    break;
+                }
+                continue;
             }
-            if frustum.may_see_cell(azimuth * order.side, &seen, cell.radius) {
+            if frustum.may_see(&image) {
                 self.append_brighter(&mut candidates.points, cell, index, least);
             }
         }
@@ -187,15 +199,37 @@ fn interleaved([row, column]: [u32; 2]) -> u32 {
     })
 }
 
+/// A circle of directions, as the observer of the row sees them, that contains an image of a cell.
+struct ImageCircle {
+    middle: DVec3,
+    /// rad.
+    radius: f64,
+}
+
+impl ImageCircle {
+    /// The circle around the image in the half-plane of `azimuth` of a cell of this angular `radius` (rad).
+    fn around(azimuth: DVec2, seen: &Bounds, radius: f64) -> Self {
+        let along = 0.5 * (seen.farthest - seen.nearest);
+        let middle = 0.5 * (seen.farthest + seen.nearest);
+        let tangential = radius * seen.tangential_magnification.max(1.0);
+        ImageCircle {
+            middle: view_direction(azimuth, middle),
+            radius: along.hypot(tangential),
+        }
+    }
+}
+
 /// The view frustum of a picture, with a margin for the widest point-spread kernel.
-struct Frustum {
+struct Frustum<'a> {
+    camera: &'a Camera,
+    shift: Shift,
     /// Inward unit normals of its sides.
     sides: [DVec3; 4],
     margin: f64,
 }
 
-impl Frustum {
-    fn of(camera: &Camera) -> Self {
+impl<'a> Frustum<'a> {
+    fn of(camera: &'a Camera, shift: Shift) -> Self {
         let half = |step: DVec3, side: u32| step * (0.5 * f64::from(side));
         let (right, down) = (
             half(camera.right, camera.width),
@@ -208,22 +242,40 @@ impl Frustum {
             (forward * towards.length_squared() - towards * forward.dot(edge)).normalize()
         };
         Frustum {
+            camera,
+            shift,
             sides: [side(right), side(-right), side(down), side(-down)],
             margin: REACHES[REACHES.len() - 1] * camera.right.length(),
         }
     }
 
-    /// Whether the image of a cell of this angular `radius` (rad) may be in the picture.
-    fn may_see_cell(&self, azimuth: DVec2, seen: &Bounds, radius: f64) -> bool {
-        let along = 0.5 * (seen.farthest - seen.nearest);
-        let middle = 0.5 * (seen.farthest + seen.nearest);
-        let tangential = radius * seen.tangential_magnification.max(1.0);
-        self.may_see(view_direction(azimuth, middle), along.hypot(tangential))
+    /// Whether neither motion nor shift change the light of images unequally.
+    fn is_even(&self) -> bool {
+        self.camera.boost.is_none() && self.shift == Shift::Off
     }
 
-    /// Whether a circle of `radius` (rad) around a unit `direction` may be in the picture.
-    fn may_see(&self, direction: DVec3, radius: f64) -> bool {
-        let reach = (radius + self.margin).min(0.5 * PI).sin();
+    /// Upper bound on the factor by which aberration and frequency shift change the light of a star in the image.
+    fn largest_factor(&self, image: &ImageCircle) -> f64 {
+        let (low, high) = self.camera.doppler_bounds(image.middle, image.radius);
+        let by_aberration = 1.0 / (low * low);
+        if self.shift == Shift::Off {
+            return by_aberration;
+        }
+        let theta = ViewAngle::of(image.middle).radians();
+        // The shift of an observer in radial motion is a monotonic function of the view angle.
+        let shift = |theta: f64| {
+            let g = self.camera.observer.frequency_shift(theta.clamp(0.0, PI));
+            if g > 0.0 { g } else { f64::INFINITY }
+        };
+        let radial = shift(theta - image.radius).max(shift(theta + image.radius));
+        self.shift.largest_factor(high * radial) * by_aberration
+    }
+
+    /// Whether part of the image may be in the picture.
+    fn may_see(&self, image: &ImageCircle) -> bool {
+        let (low, _) = self.camera.doppler_bounds(image.middle, image.radius);
+        let (direction, _) = self.camera.boosted(image.middle);
+        let reach = (image.radius / low + self.margin).min(0.5 * PI).sin();
         self.sides.iter().all(|side| side.dot(direction) > -reach)
     }
 }
@@ -233,7 +285,9 @@ mod tests {
     use super::*;
     use crate::camera::View;
     use crate::lens::{Deflection, Lens};
+    use crate::stars::draw::observed;
     use crate::stars::hipparcos;
+    use lensbake_core::Motion;
     use lensbake_tables::default_atlas;
     use std::collections::HashSet;
 
@@ -256,16 +310,133 @@ mod tests {
         };
         assert_eq!(sorted(cells.stars()), sorted(&field.stars));
         let (mut seen, mut looked_at) = (0, 0);
-        for (radius, yaw_deg, pitch_deg, roll_deg, fov_deg, method) in [
-            (25.0, 0.0, 0.0, 0.0, 90.0, Deflection::Lut),
-            (25.0, 100.0, 30.0, 20.0, 60.0, Deflection::Lut),
-            (2.0, 70.0, 0.0, 0.0, 100.0, Deflection::Lut),
-            (1.2, 180.0, 10.0, 0.0, 170.0, Deflection::Lut),
-            (1000.0, 0.0, 0.0, 45.0, 10.0, Deflection::Lut),
-            (3.0, 20.0, 0.0, 0.0, 90.0, Deflection::Flat),
+        let velocity = |radial, tangential| Motion::Velocity { radial, tangential };
+        for (radius, yaw_deg, pitch_deg, roll_deg, fov_deg, method, motion, shift) in [
+            (
+                25.0,
+                0.0,
+                0.0,
+                0.0,
+                90.0,
+                Deflection::Lut,
+                Motion::Rest,
+                Shift::Off,
+            ),
+            (
+                25.0,
+                100.0,
+                30.0,
+                20.0,
+                60.0,
+                Deflection::Lut,
+                Motion::Rest,
+                Shift::Off,
+            ),
+            (
+                2.0,
+                70.0,
+                0.0,
+                0.0,
+                100.0,
+                Deflection::Lut,
+                Motion::Rest,
+                Shift::Colour,
+            ),
+            (
+                1.2,
+                180.0,
+                10.0,
+                0.0,
+                170.0,
+                Deflection::Lut,
+                Motion::Rest,
+                Shift::Off,
+            ),
+            (
+                1000.0,
+                0.0,
+                0.0,
+                45.0,
+                10.0,
+                Deflection::Lut,
+                Motion::Rest,
+                Shift::Off,
+            ),
+            (
+                3.0,
+                20.0,
+                0.0,
+                0.0,
+                90.0,
+                Deflection::Flat,
+                Motion::Rest,
+                Shift::Off,
+            ),
+            (
+                3.0,
+                90.0,
+                0.0,
+                0.0,
+                90.0,
+                Deflection::Lut,
+                Motion::Orbit,
+                Shift::Colour,
+            ),
+            (
+                3.0,
+                270.0,
+                0.0,
+                0.0,
+                90.0,
+                Deflection::Lut,
+                Motion::Orbit,
+                Shift::Off,
+            ),
+            (
+                1.0,
+                120.0,
+                0.0,
+                0.0,
+                90.0,
+                Deflection::Lut,
+                Motion::Fall,
+                Shift::Brightness,
+            ),
+            (
+                0.1,
+                180.0,
+                20.0,
+                0.0,
+                120.0,
+                Deflection::Lut,
+                Motion::Fall,
+                Shift::Off,
+            ),
+            (
+                6.0,
+                80.0,
+                0.0,
+                0.0,
+                90.0,
+                Deflection::Lut,
+                velocity(-0.3, 0.9),
+                Shift::Brightness,
+            ),
+            (
+                0.5,
+                100.0,
+                0.0,
+                0.0,
+                90.0,
+                Deflection::Lut,
+                velocity(0.2, -0.7),
+                Shift::Off,
+            ),
         ] {
             let view = View {
                 radius,
+                motion,
+                heading_deg: 15.0,
                 orbit_deg: 40.0,
                 latitude_deg: 20.0,
                 yaw_deg,
@@ -277,23 +448,28 @@ mod tests {
             };
             let camera = Camera::new(&view).unwrap();
             let lens = Lens::new(camera, default_atlas(), method).unwrap();
-            let lens = InverseLens::of(&lens);
+            let inverse = InverseLens::of(&lens);
             let mut candidates = Candidates::default();
-            cells.find(&camera, &lens, &mut candidates);
+            cells.find(&camera, &inverse, shift, &mut candidates);
             let kept: HashSet<Candidate> = candidates.points.iter().copied().collect();
             assert_eq!(
                 kept.len(),
                 candidates.points.len(),
                 "an image is there twice"
             );
-            for (star, order) in images_seen(&camera, &lens, &cells) {
+            for (star, order) in images_seen(&lens, &inverse, shift, &cells) {
                 assert!(
                     kept.contains(&Candidate::new(star, order)),
-                    "r {radius}, yaw {yaw_deg}: {:?} by order {order}",
+                    "r {radius}, yaw {yaw_deg}, {motion}: {:?} by order {order}",
                     cells.stars[star as usize]
                 );
                 seen += 1;
             }
+            println!(
+                "r {radius} {motion} {}: {} for {seen}",
+                shift.name(),
+                kept.len()
+            );
             looked_at += kept.len();
         }
         assert!(seen > 20_000, "{seen}");
@@ -302,15 +478,22 @@ mod tests {
 
     /// The images in the picture with at least the light [`MIN_LIGHT`], as (index of the star, index of the image
     /// order).
-    fn images_seen(camera: &Camera, lens: &InverseLens, cells: &Cells) -> Vec<(u32, usize)> {
+    fn images_seen(
+        lens: &Lens,
+        inverse: &InverseLens,
+        shift: Shift,
+        cells: &Cells,
+    ) -> Vec<(u32, usize)> {
+        let camera = &lens.camera;
         let mut seen = Vec::new();
         for (index, star) in (0..).zip(&cells.stars) {
             let direction = camera.sky_from_hole.transpose() * star.direction;
-            let images = lens.images(direction, cells.disc_radius);
+            let images = inverse.images(direction, cells.disc_radius);
             for (order, image) in images.flatten().enumerate() {
                 let Some(image) = image else { continue };
-                let light = star.light.max_element() * image.magnification as f32;
-                if light >= MIN_LIGHT && camera.pixel(image.direction).is_some() {
+                let light = star.light * image.magnification as f32;
+                let (direction, light) = observed(lens, shift, image.direction, light);
+                if light.max_element() >= MIN_LIGHT && camera.pixel(direction).is_some() {
                     seen.push((index, order));
                 }
             }

@@ -31,6 +31,12 @@ pub fn light_of_colour_index(colour_index: Option<f64>) -> Vec3 {
     COLOURS[below].lerp(COLOURS[below + 1], (place - below as f64) as f32)
 }
 
+/// The light of a black body of this temperature in K, linear sRGB with luminance 1.
+#[cfg(test)]
+pub(crate) fn light_of_temperature(temperature: f64) -> Vec3 {
+    black_body(temperature).as_vec3()
+}
+
 /// The temperature of a star of colour index B − V, K, for B − V > −0.6: from the ratio of a black body's light in
 /// two filters (Ballesteros 2012, Europhys. Lett. 97, 34008).
 pub fn temperature(colour_index: f64) -> f64 {

@@ -4,9 +4,9 @@ use super::aligned::arcs;
 use super::images::{InverseLens, MAX_LIGHT, MIN_LIGHT};
 use super::kernel::{spread, weight};
 use super::{PointStar, StarField};
-use crate::camera::Camera;
 use crate::lens::Lens;
 use crate::picture::Picture;
+use crate::shift::Shift;
 use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
@@ -22,17 +22,17 @@ pub struct Splat {
 }
 
 /// Adds the stars of `field`, seen through `lens`, to `picture`.
-pub fn draw(picture: &mut Picture, lens: &Lens, field: &StarField) {
-    for splat in splats(lens, field) {
+pub fn draw(picture: &mut Picture, lens: &Lens, field: &StarField, shift: Shift) {
+    for splat in splats(lens, field, shift) {
         add(picture, &splat);
     }
 }
 
-/// The splats of the stars of `field`, seen through `lens`.
-pub fn splats(lens: &Lens, field: &StarField) -> Vec<Splat> {
+/// The splats of the stars of `field`, seen through `lens`, with this frequency shift.
+pub fn splats(lens: &Lens, field: &StarField, shift: Shift) -> Vec<Splat> {
     let inverse = InverseLens::of(lens);
     let per_star = |star: &PointStar| {
-        let mut drawing = Drawing::new(&lens.camera, &inverse, field.disc_radius);
+        let mut drawing = Drawing::new(lens, &inverse, field.disc_radius, shift);
         drawing.add_points(star);
         drawing.add_arcs(star);
         drawing.splats
@@ -42,12 +42,13 @@ pub fn splats(lens: &Lens, field: &StarField) -> Vec<Splat> {
 
 /// The splats of the arcs of `stars`, seen through `lens`. A star that is not on the optical axis has none.
 pub fn arc_splats<'a>(
-    camera: &Camera,
-    lens: &InverseLens,
+    lens: &Lens,
+    inverse: &InverseLens,
     stars: impl Iterator<Item = &'a PointStar>,
     disc_radius: f64,
+    shift: Shift,
 ) -> Vec<Splat> {
-    let mut drawing = Drawing::new(camera, lens, disc_radius);
+    let mut drawing = Drawing::new(lens, inverse, disc_radius, shift);
     for star in stars {
         drawing.add_arcs(star);
     }
@@ -56,54 +57,63 @@ pub fn arc_splats<'a>(
 
 /// Splats of stars of one angular radius, seen by a camera through a lens.
 struct Drawing<'a> {
-    camera: &'a Camera,
-    lens: &'a InverseLens,
+    lens: &'a Lens,
+    inverse: &'a InverseLens,
     disc_radius: f64,
+    shift: Shift,
     splats: Vec<Splat>,
 }
 
 impl<'a> Drawing<'a> {
-    fn new(camera: &'a Camera, lens: &'a InverseLens, disc_radius: f64) -> Self {
+    fn new(lens: &'a Lens, inverse: &'a InverseLens, disc_radius: f64, shift: Shift) -> Self {
         Drawing {
-            camera,
             lens,
+            inverse,
             disc_radius,
+            shift,
             splats: Vec::new(),
         }
     }
 
     fn add_points(&mut self, star: &PointStar) {
-        let direction = self.camera.sky_from_hole.transpose() * star.direction;
-        for pair in self.lens.images(direction, self.disc_radius) {
+        let direction = self.lens.camera.sky_from_hole.transpose() * star.direction;
+        for pair in self.inverse.images(direction, self.disc_radius) {
             let mut bright = false;
             for image in pair.into_iter().flatten() {
                 let light = magnified(star.light, image.magnification);
+                let (direction, light) = observed(self.lens, self.shift, image.direction, light);
                 if light.max_element() >= MIN_LIGHT {
                     bright = true;
-                    self.add(image.direction, light);
+                    self.add(direction, light);
                 }
             }
-            if !bright {
+            // The higher image orders are fainter, unless motion or shift brighten another part of the view.
+            let is_even = self.shift == Shift::Off && self.lens.camera.boost.is_none();
+            if !bright && is_even {
                 break;
             }
         }
     }
 
     fn add_arcs(&mut self, star: &PointStar) {
-        let (lens, disc_radius) = (self.lens, self.disc_radius);
-        let direction = self.camera.sky_from_hole.transpose() * star.direction;
-        let px = self.camera.right.length();
-        arcs(lens, direction, disc_radius, px, |piece| {
-            self.add(piece.direction, magnified(star.light, piece.magnification));
+        let (inverse, disc_radius, camera) = (self.inverse, self.disc_radius, &self.lens.camera);
+        let direction = camera.sky_from_hole.transpose() * star.direction;
+        // A boost magnifies an arc by at most its Doppler factor.
+        let px = camera.right.length() / camera.boost.map_or(1.0, |boost| boost.doppler);
+        arcs(inverse, direction, disc_radius, px, |piece| {
+            let light = magnified(star.light, piece.magnification);
+            let (direction, light) = observed(self.lens, self.shift, piece.direction, light);
+            self.add(direction, light);
         });
     }
 
     /// Adds light in the view direction `direction` (hole frame), unless it falls outside the picture.
     fn add(&mut self, direction: DVec3, light: Vec3) {
-        let Some(at) = self.camera.project(direction) else {
+        let camera = &self.lens.camera;
+        let Some(at) = camera.project(direction) else {
             return;
         };
-        let size = DVec2::new(self.camera.width.into(), self.camera.height.into());
+        let size = DVec2::new(camera.width.into(), camera.height.into());
         for (reach, light) in spread(light) {
             let margin = DVec2::splat(reach);
             if at.cmpgt(-margin).all() && at.cmplt(size + margin).all() {
@@ -111,6 +121,18 @@ impl<'a> Drawing<'a> {
             }
         }
     }
+}
+
+/// The light of a point, which the observer of the row sees in the unit direction `direction` without frequency shift, as
+/// the camera of `lens` sees it: its direction and its light. The solid angle of a small image, and with it its light,
+/// shrinks by the square of the ratio of the frequencies.
+pub(super) fn observed(lens: &Lens, shift: Shift, direction: DVec3, light: Vec3) -> (DVec3, Vec3) {
+    let (seen, doppler) = lens.camera.boosted(direction);
+    let light = match shift {
+        Shift::Off => light,
+        shift => shift.seen(light, lens.frequency_shift(direction)),
+    };
+    (seen, light / (doppler * doppler) as f32)
 }
 
 /// `light` times `magnification`, limited to [`MAX_LIGHT`] in its brightest channel.

@@ -12,7 +12,7 @@
 pub mod aligned;
 mod catalogue;
 pub mod cells;
-mod colour;
+pub(crate) mod colour;
 mod compact;
 mod csv;
 pub mod draw;

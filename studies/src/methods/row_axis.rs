@@ -16,7 +16,7 @@ impl RowAxis {
     /// Name in the CSV files and the figures.
     pub fn name(self) -> &'static str {
         match self {
-            RowAxis::Baked(Axis::Residual) => "the residual",
+            RowAxis::Baked(Axis::Residual | Axis::ResidualBelow) => "the residual",
             RowAxis::Baked(Axis::UniformB { .. }) => "b",
             RowAxis::Baked(Axis::UniformInverseB { .. }) => "1/b",
             RowAxis::Baked(Axis::UniformLogB { .. }) => "ln(b/b_c − 1)",
@@ -27,7 +27,7 @@ impl RowAxis {
     /// Whether the axis can hold the row of `observer`: a naive axis holds only that of the observer at infinity.
     pub fn serves(self, observer: &Observer) -> bool {
         match self {
-            RowAxis::Baked(axis) => axis == Axis::Residual || observer.is_at_infinity(),
+            RowAxis::Baked(axis) => axis.is_residual() || observer.is_at_infinity(),
             RowAxis::ResidualS => true,
         }
     }
@@ -50,7 +50,10 @@ impl RowAxis {
 
     /// Whether q = 0 is the shadow's edge, where the stored value is a limit and cannot be computed.
     pub fn starts_at_shadow_edge(self) -> bool {
-        matches!(self, RowAxis::Baked(Axis::Residual) | RowAxis::ResidualS)
+        match self {
+            RowAxis::Baked(axis) => axis.is_residual(),
+            RowAxis::ResidualS => true,
+        }
     }
 
     /// The value that is stored for `bending` at q, and its derivative with respect to q.

@@ -79,7 +79,7 @@ pub fn bake(recipe: &Recipe, row_done: impl Fn() + Sync) -> Result<Table, TableE
     let rows: Vec<Vec<Texel>> = (0..header.row_count())
         .into_par_iter()
         .map(|index| {
-            let row = bake_row(recipe, &header.observer(index));
+            let row = bake_row(recipe, header.axis_of_row(index), &header.observer(index));
             row_done();
             row
         })
@@ -87,9 +87,9 @@ pub fn bake(recipe: &Recipe, row_done: impl Fn() + Sync) -> Result<Table, TableE
     Table::new(header, rows.concat())
 }
 
-fn bake_row(recipe: &Recipe, observer: &Observer) -> Vec<Texel> {
+fn bake_row(recipe: &Recipe, axis: Axis, observer: &Observer) -> Vec<Texel> {
     (0..recipe.texels)
-        .map(|i| bake_texel(recipe, observer, i))
+        .map(|i| bake_texel(recipe, axis, observer, i))
         .collect()
 }
 
@@ -97,14 +97,13 @@ fn bake_row(recipe: &Recipe, observer: &Observer) -> Vec<Texel> {
 /// residual differs from its limit by about q² = 1e-12.
 const EDGE_Q: f64 = 1e-6;
 
-fn bake_texel(recipe: &Recipe, observer: &Observer, index: u32) -> Texel {
+fn bake_texel(recipe: &Recipe, axis: Axis, observer: &Observer, index: u32) -> Texel {
     let last = f64::from(recipe.texels - 1);
     let q = f64::from(index) / last;
-    let at_edge = recipe.axis == Axis::Residual && index == 0;
+    let at_edge = axis.is_residual() && index == 0;
     let q = if at_edge { EDGE_Q } else { q };
-    let at = recipe.axis.shadow_coordinate(observer, q);
-    let bending = bending(recipe, observer, at);
-    let stored = recipe.axis.stored(observer, q, bending);
+    let bending = bending(recipe, observer, axis.shadow_coordinate(observer, q));
+    let stored = axis.stored(observer, q, bending);
     let slope = if at_edge { 0.0 } else { stored.slope / last };
     [stored.value as f32, slope as f32]
 }

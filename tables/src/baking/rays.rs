@@ -92,7 +92,7 @@ pub fn off_nodes(table: &Header) -> Vec<ObservedRay> {
     let rays_of = |observer: Observer| {
         along
             .iter()
-            .map(move |&q| table.axis.shadow_coordinate(&observer, q))
+            .map(move |&q| table.axis.of(&observer).shadow_coordinate(&observer, q))
             .filter(|at| at.one_minus_x >= EDGE_GAP)
             .chain(near_edge.iter().copied())
             .map(move |at| ObservedRay { observer, at })

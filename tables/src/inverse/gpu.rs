@@ -28,7 +28,9 @@ pub fn wgsl_row(group: u32, binding: u32) -> String {
 pub struct Inverse {
     /// θ_c, rad.
     pub edge: f32,
-    /// Scale of the axis in ϑ = scale sinh v, rad.
+    /// Centre of the axis in ϑ = centre + scale sinh v, rad.
+    pub centre: f32,
+    /// Scale of the axis, rad.
     pub scale: f32,
     /// ϑ of the first texel, rad.
     pub first_angle: f32,
@@ -69,6 +71,7 @@ impl GpuInverseRow {
         GpuInverseRow {
             inverse: Inverse {
                 edge: row.observer.shadow_angle() as f32,
+                centre: row.centre as f32,
                 scale: row.scale as f32,
                 first_angle: FIRST as f32,
                 first: row.first as f32,
@@ -88,7 +91,7 @@ impl GpuInverseRow {
         let inverse = self.inverse;
         let last = self.texels.len() - 1;
         let inside = sky_angle.max(inverse.first_angle);
-        let u = inside / inverse.scale;
+        let u = (inside - inverse.centre) / inverse.scale;
         let exp_v = exp_arsinh(u);
         let position =
             ((exp_v.ln() - inverse.first) * inverse.texels_per_v).clamp(0.0, last as f32);

@@ -6,7 +6,8 @@
 struct Inverse {
     // θ_c, rad.
     edge: f32,
-    // Scale of the axis in ϑ = scale sinh v, rad.
+    // Centre and scale of the axis in ϑ = centre + scale sinh v, rad.
+    centre: f32,
     scale: f32,
     // ϑ and v of the first texel.
     first_angle: f32,
@@ -32,7 +33,7 @@ fn exp_arsinh(x: f32) -> f32 {
 fn image(sky_angle: f32, inverse: Inverse) -> Image {
     // Below the first texel's ϑ, ln(θ − θ_c) is linear in ϑ with slope 1.
     let inside = max(sky_angle, inverse.first_angle);
-    let u = inside / inverse.scale;
+    let u = (inside - inverse.centre) / inverse.scale;
     let exp_v = exp_arsinh(u);
     let position = clamp((log(exp_v) - inverse.first) * inverse.texels_per_v, 0.0, f32(INVERSE_LAST));
     let i = min(u32(position), INVERSE_LAST - 1u);

@@ -43,7 +43,7 @@ fn hermite(position: f32) -> vec2<f32> {
 }
 
 // The bending in the direction with cos θ = c and sin θ = p, from a row on the residual axis:
-// Δ = R(q) − (1 + weight·d) ln d with d = 1 − X, q = √(1−√X) and X the row coordinate. The slope is inaccurate straight away from the
+// Δ = R(q) − (1 + weight·d) ln d with X the row coordinate, d = 1 − X, and q the position. The slope is inaccurate straight away from the
 // hole: use `bending_for_footprint` there.
 fn bending(c: f32, p: f32, edge: ShadowEdge) -> Bending {
     let x = row_coordinate(c, p, edge);
@@ -52,12 +52,12 @@ fn bending(c: f32, p: f32, edge: ShadowEdge) -> Bending {
     }
     let d = 1.0 - x;
     let root = sqrt(x);
-    let q = sqrt(d / (1.0 + root));
+    let q = row_position(d, root);
     let r = interpolate(q * f32(ROW_LAST));
     let ln = log(d);
     let factor = 1.0 + edge.log_weight * d;
-    // dΔ/dθ = dΔ/dX dX/dθ with dX/dq = −4 q √X.
-    let dx_dq = -4.0 * q * max(root, 1e-9);
+    // dΔ/dθ = dΔ/dX dX/dθ, with dΔ/dX by the chain rule.
+    let dx_dq = row_position_slope(q, root);
     let by_x = r.y * f32(ROW_LAST) / dx_dq + edge.log_weight * ln + factor / d;
     return Bending(false, r.x - factor * ln, by_view_angle(by_x, x, p, edge));
 }

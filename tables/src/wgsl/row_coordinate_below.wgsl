@@ -12,3 +12,13 @@ fn row_coordinate(c: f32, p: f32, edge: ShadowEdge) -> f32 {
 fn by_view_angle(by_x: f32, x: f32, p: f32, edge: ShadowEdge) -> f32 {
     return -by_x * x * (1.0 + (edge.scale - 1.0) * x) / max(p, 1e-30);
 }
+
+// The position q along the row, from d = 1 − X and √X: √X = 1 − (7/4) q² + (3/4) q⁴.
+fn row_position(d: f32, root: f32) -> f32 {
+    return sqrt(8.0 * d / ((1.0 + root) * (7.0 + sqrt(1.0 + 48.0 * root))));
+}
+
+// dX/dq.
+fn row_position_slope(q: f32, root: f32) -> f32 {
+    return -q * max(root, 1e-9) * (7.0 - 6.0 * q * q);
+}

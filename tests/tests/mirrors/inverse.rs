@@ -25,8 +25,8 @@ fn probe(@builtin(global_invocation_id) id: vec3<u32>) {
 fn probe(gpu: &Gpu, row: &GpuInverseRow, angles: &[f32]) -> Vec<[f32; 5]> {
     let at = row.inverse;
     let constants = format!(
-        "const INVERSE = Inverse({:e}, {:e}, {:e}, {:e}, {:e});\n",
-        at.edge, at.scale, at.first_angle, at.first, at.texels_per_v
+        "const INVERSE = Inverse({:e}, {:e}, {:e}, {:e}, {:e}, {:e});\n",
+        at.edge, at.centre, at.scale, at.first_angle, at.first, at.texels_per_v
     );
     let source = [
         &inverse::wgsl_row(0, 1),
@@ -61,8 +61,10 @@ fn the_inverse_lookup_has_its_mirror() {
     });
     let angles: Vec<f32> = even.chain(crowd).collect();
     let mut compared = 0;
-    for r in [1.01, 1.3, 2.0, 5.0, 25.0, 1000.0, 1e5] {
-        let observer = Observer::at(r).unwrap();
+    let at_rest = [1.01, 1.3, 2.0, 5.0, 25.0, 1000.0, 1e5].map(|r| Observer::at(r).unwrap());
+    let falling = [10.0, 3.0, 1.0, 0.1].map(|r| Observer::falling(r).unwrap());
+    for observer in at_rest.into_iter().chain(falling) {
+        let r = observer.radius();
         let row = InverseRow::new(&default_atlas().row(observer).unwrap()).unwrap();
         let row = GpuInverseRow::new(&row);
         for (&angle, found) in angles.iter().zip(probe(&gpu, &row, &angles)) {

@@ -1,7 +1,7 @@
 //! Options of the window, of `render`, `diff` and `catalogue`, and of point stars.
 
 use super::scene::{MethodName, SamplingName, SceneArgs, ViewArgs};
-use super::values::{exposure, size, stars, stops};
+use super::values::{Exposure, exposure, size, stars, stops};
 use clap::Args;
 use clap::builder::{OsStringValueParser, TypedValueParser};
 use lensbake_render::stars::StarSource;
@@ -22,9 +22,10 @@ pub struct RenderArgs {
     /// What a pixel shows: the mean over its area, or one ray through its centre.
     #[arg(long, value_enum, default_value_t = SamplingName::Filtered)]
     pub sampling: SamplingName,
-    /// Exposure of a .png in stops, from -32 to 32; each stop doubles the brightness. An .exr is not affected.
-    #[arg(long, value_name = "EV", default_value_t = 0.0, allow_negative_numbers = true, value_parser = exposure)]
-    pub exposure: f32,
+    /// Exposure of a .png in stops, from -32 to 32; each stop doubles the brightness. `auto` makes up for the mean
+    /// brightness of the frequency shift. An .exr is not affected.
+    #[arg(long, value_name = "EV|auto", default_value = "0", allow_negative_numbers = true, value_parser = exposure)]
+    pub exposure: Exposure,
     /// Draw with the least model (the undeflected sky or the shortest row of the table) whose error in image space
     /// is at most this many pixels. Exit code 1 if even the whole row exceeds it.
     #[arg(

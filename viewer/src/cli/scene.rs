@@ -3,8 +3,10 @@
 use super::values::{place, size, sky};
 use clap::builder::{OsStringValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
+use lensbake_core::Motion;
 use lensbake_render::camera::View;
 use lensbake_render::lens::Deflection;
+use lensbake_render::shift::Shift;
 use lensbake_render::sky::SkySource;
 use std::path::PathBuf;
 
@@ -28,9 +30,32 @@ pub struct ViewArgs {
     /// Horizontal field of view, between 0 and 180.
     #[arg(long, value_name = "DEG", default_value_t = View::default().fov_deg, allow_negative_numbers = true)]
     pub fov: f64,
-    /// Radial coordinate r of the camera in Schwarzschild radii, above 1 (the horizon).
+    /// Radial coordinate r of the camera in Schwarzschild radii: above 1 (the horizon) at rest, above 1.5 in orbit, from
+    /// 0.01 in free fall.
     #[arg(short, long, value_name = "R", default_value_t = View::default().radius, allow_negative_numbers = true)]
     pub radius: f64,
+    /// Motion of the camera: `rest`, `fall` (freely, from rest at infinity), `orbit` (circular), or a velocity BR,BT in
+    /// units of c: radial (positive outwards) and tangential, relative to the observer at rest, at the horizon and below
+    /// to the observer in free fall.
+    #[arg(
+        long,
+        value_name = "rest|fall|orbit|BR,BT",
+        default_value = "rest",
+        allow_hyphen_values = true
+    )]
+    pub motion: Motion,
+    /// Heading of the tangential part of the motion: 0 is east (growing longitude, to the right when looking at the
+    /// hole), 90 is north.
+    #[arg(
+        long,
+        value_name = "DEG",
+        default_value_t = 0.0,
+        allow_negative_numbers = true
+    )]
+    pub heading: f64,
+    /// What of the frequency shift (gravitational and Doppler) is shown: nothing, the brightness, or the colour as well.
+    #[arg(long, value_enum, default_value_t = ShiftName::Off)]
+    pub shift: ShiftName,
     /// Look this far to the right of the hole.
     #[arg(
         long,
@@ -104,6 +129,27 @@ pub enum MethodName {
     Flat,
 }
 
+/// What of the frequency shift is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ShiftName {
+    /// Nothing: light keeps its brightness and colour.
+    Off,
+    /// The brightness: g⁴ for the frequency ratio g.
+    Brightness,
+    /// The brightness and the colour: black bodies at g times their temperature.
+    Colour,
+}
+
+impl From<ShiftName> for Shift {
+    fn from(name: ShiftName) -> Self {
+        match name {
+            ShiftName::Off => Shift::Off,
+            ShiftName::Brightness => Shift::Brightness,
+            ShiftName::Colour => Shift::Colour,
+        }
+    }
+}
+
 /// How a pixel samples its area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum SamplingName {
@@ -134,6 +180,8 @@ impl ViewArgs {
         };
         View {
             radius: self.radius,
+            motion: self.motion,
+            heading_deg: self.heading,
             orbit_deg,
             latitude_deg,
             yaw_deg: self.yaw,

@@ -6,12 +6,24 @@ use lensbake_render::tone_map::EXPOSURES;
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
-/// Parses the exposure of a picture in stops.
-pub fn exposure(text: &str) -> Result<f32, String> {
+/// The exposure of a picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Exposure {
+    /// In stops.
+    Stops(f32),
+    /// Such that the frequency shift does not change the mean brightness.
+    Automatic,
+}
+
+/// Parses the exposure of a picture in stops, or `auto`.
+pub fn exposure(text: &str) -> Result<Exposure, String> {
+    if text == "auto" {
+        return Ok(Exposure::Automatic);
+    }
     let stops = text.parse().ok().filter(|stops| EXPOSURES.contains(stops));
-    stops.ok_or_else(|| {
+    stops.map(Exposure::Stops).ok_or_else(|| {
         let (least, most) = (EXPOSURES.start(), EXPOSURES.end());
-        format!("must be a number of stops from {least} to {most}")
+        format!("must be `auto` or a number of stops from {least} to {most}")
     })
 }
 

@@ -1,18 +1,19 @@
 //! `viewer render`: draws a picture to a file.
 
 use super::{CommandError, gpu_for, least, lens, spare_inputs, star_field};
-use crate::cli::{DeviceName, MethodName, RenderArgs, SamplingName, ViewArgs};
+use crate::cli::{DeviceName, Exposure, MethodName, RenderArgs, SamplingName, ViewArgs};
 use lensbake_program::output::Output;
 use lensbake_program::{Outcome, Printer, Progress, message};
-use lensbake_render::cpu;
 use lensbake_render::filter::FilteredPixels;
 use lensbake_render::gpu::{Gpu, GpuError, Renderer};
 use lensbake_render::lens::{Deflection, Lens};
 use lensbake_render::model::DEFAULT_BUDGET_PX;
 use lensbake_render::picture::{Picture, PictureFormat, WithoutValue};
 use lensbake_render::scene::{Sampling, Scene};
+use lensbake_render::shift::Shift;
 use lensbake_render::sky;
 use lensbake_render::stars::StarSource;
+use lensbake_render::{cpu, exposure};
 use pollster::block_on;
 use std::path::Path;
 use std::time::Instant;
@@ -55,11 +56,16 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
         sampling,
         sky: sky.into(),
         stars: stars.map(Into::into),
+        shift: args.scene.view.shift.into(),
     };
     let started = Instant::now();
     let (picture, device) = draw(gpu, args.scene.device, &scene)?;
     let seconds = started.elapsed().as_secs_f64();
-    file.write(&picture, args.exposure)?;
+    let exposure = match args.exposure {
+        Exposure::Stops(stops) => stops,
+        Exposure::Automatic => exposure::automatic(&scene.lens, scene.shift),
+    };
+    file.write(&picture, exposure)?;
     message!("drawn on {device} in {seconds:.3} s");
     if scene.sampling == Sampling::Filtered {
         message!("{}", extra_rays(&scene.lens));
@@ -114,7 +120,7 @@ fn report_lost_pixels(lost: WithoutValue, picture: &Picture, method: Deflection)
 /// The number of extra rays for the pixels beside the shadow's edge, as text.
 fn extra_rays(lens: &Lens) -> String {
     let camera = &lens.camera;
-    let pixels = FilteredPixels::new(lens);
+    let pixels = FilteredPixels::new(lens, Shift::Off);
     let extra = cpu::by_pixel(camera, || (), |column, row| pixels.extra_rays(column, row));
     let extra: u64 = extra.into_iter().map(u64::from).sum();
     let percent = 100.0 * extra as f64 / camera.pixels() as f64;

@@ -3,7 +3,7 @@
 
 use super::{CommandError, render, stars_of, table};
 use crate::cli::{
-    DeviceName, MethodName, PICTURE, RenderArgs, SamplingName, SceneArgs, WindowArgs,
+    DeviceName, Exposure, MethodName, PICTURE, RenderArgs, SamplingName, SceneArgs, WindowArgs,
 };
 use lensbake_program::{Outcome, message};
 use lensbake_render::camera::Camera;
@@ -27,6 +27,7 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
     let ended = window::run(Options {
         view,
         step,
+        shift: args.view.shift.into(),
         sky: args.view.sky.clone(),
         stars,
         stars_everywhere: args.stars.stars.is_some(),
@@ -51,7 +52,7 @@ fn instead(args: &WindowArgs) -> RenderArgs {
         output: PICTURE.into(),
         method: MethodName::Lut,
         sampling: SamplingName::Filtered,
-        exposure: 0.0,
+        exposure: Exposure::Stops(0.0),
         budget_px: None,
         explain: false,
         scene: SceneArgs {

@@ -7,6 +7,7 @@ use super::settings::Settings;
 use super::state::{NamedTable, Refusal, State};
 use lensbake_render::camera::{Camera, View};
 use lensbake_render::gpu::Gpu;
+use lensbake_render::shift::Shift;
 use lensbake_render::sky::{self, SkySource};
 use lensbake_render::stars::StarField;
 use lensbake_tables::Table;
@@ -22,6 +23,8 @@ pub struct Options {
     pub view: View,
     /// Step of the direct integrator, rad.
     pub step: f64,
+    /// What of the frequency shift is shown.
+    pub shift: Shift,
     /// Source of the sky.
     pub sky: SkySource,
     /// The stars.
@@ -43,7 +46,10 @@ pub struct Options {
 pub fn run(options: Options) -> Result<(), WindowError> {
     Gpu::check_backend()?;
     Camera::new(&options.view).map_err(Refusal::View)?;
-    let settings = Settings::new(options.view, options.step);
+    let settings = Settings {
+        shift: options.shift,
+        ..Settings::new(options.view, options.step)
+    };
     let table = NamedTable::new(options.table, options.table_name);
     let state = State::new(settings, table)?;
     // Created before the sky is loaded, which takes a while and is not needed without a screen.

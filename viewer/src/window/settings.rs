@@ -4,10 +4,12 @@ use super::keys::Change;
 use super::motion::{self, ORBIT_SPEEDS};
 use super::resolution::Resolution;
 use lensbake_render::camera::View;
+use lensbake_render::exposure;
 use lensbake_render::gpu::{EdgeMode, FrameContent, Presentation};
 use lensbake_render::lens::{Deflection, Lens};
 use lensbake_render::scene::Sampling;
 use lensbake_render::shadow::Shadow;
+use lensbake_render::shift::Shift;
 use std::ops::RangeInclusive;
 use std::time::Duration;
 use thiserror::Error;
@@ -66,6 +68,10 @@ pub struct Settings {
     pub gain: f32,
     /// Exposure of the picture, stops.
     pub exposure: f32,
+    /// What of the frequency shift is shown.
+    pub shift: Shift,
+    /// Whether the exposure makes up for the brightness of the frequency shift.
+    pub auto_exposure: bool,
     /// Resolution of the picture relative to the window.
     pub resolution: Resolution,
     /// Frame-time target of the dynamic resolution, ms.
@@ -112,6 +118,8 @@ impl Settings {
             divider: 0.5,
             gain: 256.0,
             exposure: 0.0,
+            shift: Shift::Off,
+            auto_exposure: true,
             resolution: Resolution::Full,
             target_ms: 1000.0 / 60.0,
             panel: true,
@@ -183,6 +191,14 @@ impl Settings {
         }
     }
 
+    /// What the automatic exposure adds, stops.
+    fn automatic_exposure(&self, lens: &Lens) -> f32 {
+        match self.auto_exposure {
+            true => exposure::automatic(lens, self.shift),
+            false => 0.0,
+        }
+    }
+
     /// How the picture of `lens` is shown in a window that is `width` pixels wide.
     pub fn presentation(&self, width: u32, lens: &Lens) -> Presentation {
         let edge = match (self.show(width), lens.deflection) {
@@ -195,7 +211,7 @@ impl Settings {
         Presentation {
             edge,
             divider: self.is_split().then(|| self.divider_column(width)),
-            exposure: self.exposure,
+            exposure: self.exposure + self.automatic_exposure(lens),
         }
     }
 

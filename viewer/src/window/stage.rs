@@ -236,6 +236,7 @@ impl Stage {
             sampling: plan.sampling,
             sky: self.sky.clone(),
             stars: self.stars.clone(),
+            shift: plan.shift,
         };
         self.realtime.show(&scene, plan.show);
         self.stopwatch.submit(&self.gpu, &self.realtime)

@@ -94,7 +94,7 @@ impl NamedTable {
     fn only_radius(&self) -> Option<f64> {
         match self.table.header().rows {
             Rows::One { inverse_radius } => Some(1.0 / inverse_radius),
-            Rows::Chi { .. } => None,
+            Rows::Chi { .. } | Rows::ThroughHorizon { .. } => None,
         }
     }
 

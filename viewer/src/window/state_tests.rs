@@ -55,6 +55,7 @@ fn far(axis: Axis) -> Table {
             tolerance: 1.0,
         },
         measured: Measured::NOTHING,
+        measured_below: None,
     };
     Table::new(header, vec![[0.0; 2]; 4]).unwrap()
 }

@@ -42,7 +42,7 @@ pub(super) struct InverseLensBlock {
     pieces: u32,
     padding: u32,
     inverse: Inverse,
-    padding_2: [u32; 3],
+    padding_2: [u32; 2],
     texels: [[f32; 4]; INVERSE_PAIRS],
 }
 
@@ -66,7 +66,7 @@ impl InverseLensBlock {
             inverse: row
                 .as_ref()
                 .map_or_else(bytemuck::Zeroable::zeroed, |row| row.inverse),
-            padding_2: [0; 3],
+            padding_2: [0; 2],
             texels: row.map_or_else(bytemuck::Zeroable::zeroed, |row| pairs(&row.texels)),
         }
     }
@@ -134,6 +134,7 @@ mod tests {
             "Inverse",
             Inverse,
             edge,
+            centre,
             scale,
             first_angle,
             first,

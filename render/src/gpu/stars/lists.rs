@@ -4,14 +4,16 @@
 use super::StarsOnDevice;
 use super::data::{InverseLensBlock, Piece};
 use super::nodes;
-use super::programs::{StarPrograms, WORKGROUP};
+use super::programs::{ListKey, StarPrograms, WORKGROUP};
 use super::report::{Reports, StarLight};
 use crate::gpu::bindings::bind_group;
 use crate::gpu::compute::ComputeShader;
 use crate::gpu::layouts::Layouts;
+use crate::gpu::source::MotionKey;
 use crate::gpu::{CameraBlock, Gpu, GpuError};
 use crate::lens::{Deflection, Lens};
 use crate::shadow::Shadow;
+use crate::shift::Shift;
 use crate::stars::cells::Candidates;
 use crate::stars::draw::arc_splats;
 use crate::stars::images::InverseLens;
@@ -29,6 +31,8 @@ const CANDIDATES: usize = 4_000_000;
 pub(in crate::gpu) struct StarLists {
     stars: StarsOnDevice,
     programs: Arc<StarPrograms>,
+    /// The program that lists the images.
+    list: Arc<ComputeShader>,
     queue: Queue,
     camera: Buffer,
     lens: Buffer,
@@ -93,8 +97,9 @@ impl StarLists {
             bind_group(device, label, &shader.layout, resources)
         };
         let reading = [whole(&list_heads), BindingResource::TextureView(&nodes)];
+        let list = programs.list(ListKey::AT_REST);
         StarLists {
-            listing: bind_group(device, "list stars", &programs.bent.layout, listing),
+            listing: bind_group(device, "list stars", &list.layout, listing),
             summing: overflow("sum overflow lists", &programs.sum_overflows),
             linking: overflow("link overflow sums", &programs.link_sums),
             reading: bind_group(device, "lists of stars", &layouts.star_lists, reading),
@@ -102,6 +107,7 @@ impl StarLists {
             queue: gpu.queue.clone(),
             stars: stars.clone(),
             programs,
+            list,
             camera,
             lens,
             pieces,
@@ -121,7 +127,7 @@ impl StarLists {
 
     /// Sets what the next lists contain: the stars as seen through `lens`. The inverse row is computed again only
     /// for another row or deflection method.
-    pub(in crate::gpu) fn show(&mut self, lens: &Lens) {
+    pub(in crate::gpu) fn show(&mut self, lens: &Lens, shift: Shift) {
         let is_shown = |(deflection, row, _): &(Deflection, Row, InverseLens)| {
             *deflection == lens.deflection && *row == lens.row
         };
@@ -129,17 +135,22 @@ impl StarLists {
         let shown =
             shown.unwrap_or_else(|| (lens.deflection, lens.row.clone(), InverseLens::of(lens)));
         let (inverse, cells, found) = (&shown.2, &self.stars.0.cells, &mut self.found);
-        cells.find(&lens.camera, inverse, found);
+        cells.find(&lens.camera, inverse, shift, found);
         let radius = cells.disc_radius();
         let points = &found.points[..found.points.len().min(CANDIDATES)];
         let on_axis = found.arcs.iter().map(|i| &cells.stars()[*i as usize]);
-        let splats = arc_splats(&lens.camera, inverse, on_axis, radius);
+        let splats = arc_splats(lens, inverse, on_axis, radius, shift);
         let pieces: Vec<Piece> = splats.iter().take(PIECES).map(Piece::from).collect();
         self.full = found.points.len() > CANDIDATES || splats.len() > PIECES;
         let counts = [points.len(), pieces.len()].map(|n| n as u32);
         self.invocations = counts.iter().sum();
         let block = InverseLensBlock::new(inverse, radius, counts);
         let camera = CameraBlock::new(&lens.camera, Shadow::of(lens));
+        self.list = self.programs.list(ListKey {
+            bent: matches!(inverse, InverseLens::Bent(_)),
+            motion: MotionKey::of(&lens.camera).of_stars(),
+            shift,
+        });
         let write = |buffer, bytes| self.queue.write_buffer(buffer, 0, bytes);
         write(&self.camera, bytemuck::bytes_of(&camera));
         write(&self.lens, bytemuck::bytes_of(&block));
@@ -156,14 +167,10 @@ impl StarLists {
     /// Encodes the dispatches that make the lists.
     pub(in crate::gpu) fn make(&self, pass: &mut ComputePass) {
         let programs = &self.programs;
-        let list = match &self.shown {
-            Some((.., InverseLens::Flat(_))) => &programs.flat,
-            _ => &programs.bent,
-        };
         let listed = self.invocations.div_ceil(WORKGROUP);
         let summed = nodes::SUM_INVOCATIONS / WORKGROUP;
         for (shader, group, workgroups) in [
-            (list, &self.listing, listed),
+            (&*self.list, &self.listing, listed),
             (&programs.sum_overflows, &self.summing, summed),
             (&programs.link_sums, &self.linking, summed),
         ] {

@@ -6,8 +6,12 @@ use crate::gpu::bindings::{
     storage_buffer_binding, storage_texture_binding, uint_texture_binding, uniform_binding,
 };
 use crate::gpu::compute::ComputeShader;
+use crate::gpu::source::{MotionKey, alias_module, define_shift};
 use crate::shaders::Modules;
+use crate::shift::Shift;
 use lensbake_tables::inverse::INVERSE_TEXELS;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
 use wgpu::*;
 
 /// Invocations per workgroup.
@@ -20,21 +24,56 @@ const FLAT: &str = "star_images_flat";
 /// The compute pipelines that make the star lists. They do not depend on the stars.
 #[derive(Debug)]
 pub(in crate::gpu) struct StarPrograms {
-    pub(super) bent: ComputeShader,
-    pub(super) flat: ComputeShader,
+    device: Device,
+    lists: Mutex<HashMap<ListKey, Arc<ComputeShader>>>,
     pub(super) sum_overflows: ComputeShader,
     pub(super) link_sums: ComputeShader,
+}
+
+/// What the program that lists the images of the stars is specialised for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) struct ListKey {
+    /// Whether light is deflected.
+    pub(super) bent: bool,
+    /// How the camera moves.
+    pub(super) motion: MotionKey,
+    /// What of the frequency shift is shown.
+    pub(super) shift: Shift,
+}
+
+impl ListKey {
+    /// The key of a camera at rest, without frequency shift.
+    pub(super) const AT_REST: ListKey = ListKey {
+        bent: true,
+        motion: MotionKey::AT_REST,
+        shift: Shift::Off,
+    };
+
+    /// The WGSL source that makes the star lists.
+    pub(super) fn source(self) -> String {
+        let mut modules = Modules::new();
+        nodes::define(&mut modules);
+        modules.define(
+            "star_images",
+            alias_module(if self.bent { BENT } else { FLAT }),
+        );
+        modules.define(
+            "inverse_constants",
+            format!(
+                "const INVERSE_PAIRS: u32 = {INVERSE_PAIRS}u;\nconst INVERSE_LAST: u32 = {}u;\n",
+                INVERSE_TEXELS - 1
+            ),
+        );
+        self.motion.define(&mut modules);
+        define_shift(&mut modules, self.shift);
+        modules.assemble(&["list_stars"])
+    }
 }
 
 impl StarPrograms {
     pub(in crate::gpu) fn new(device: &Device) -> Self {
         let uniform = uniform_binding(false);
-        let (read, write) = (storage_buffer_binding(true), storage_buffer_binding(false));
-        let written_nodes = storage_texture_binding(nodes::FORMAT);
-        let list = |images| {
-            let bindings = [uniform, uniform, read, read, read, write, written_nodes];
-            ComputeShader::new(device, "list_stars", &bindings, list_source(images))
-        };
+        let write = storage_buffer_binding(false);
         let overflow = |name, nodes| {
             ComputeShader::new(
                 device,
@@ -44,27 +83,26 @@ impl StarPrograms {
             )
         };
         StarPrograms {
-            bent: list(BENT),
-            flat: list(FLAT),
+            lists: Mutex::default(),
             sum_overflows: overflow("sum_overflow_lists", uint_texture_binding()),
-            link_sums: overflow("link_overflow_sums", written_nodes),
+            link_sums: overflow("link_overflow_sums", storage_texture_binding(nodes::FORMAT)),
+            device: device.clone(),
         }
     }
-}
 
-/// The WGSL source that makes the star lists; `images` is the module that finds the images of a star.
-pub(super) fn list_source(images: &str) -> String {
-    let mut modules = Modules::new();
-    nodes::define(&mut modules);
-    modules.define("star_images", format!("// #import {images}\n"));
-    modules.define(
-        "inverse_constants",
-        format!(
-            "const INVERSE_PAIRS: u32 = {INVERSE_PAIRS}u;\nconst INVERSE_LAST: u32 = {}u;\n",
-            INVERSE_TEXELS - 1
-        ),
-    );
-    modules.assemble(&["list_stars"])
+    /// The program that lists the images of the stars. Compiles it the first time.
+    pub(super) fn list(&self, key: ListKey) -> Arc<ComputeShader> {
+        let uniform = uniform_binding(false);
+        let (read, write) = (storage_buffer_binding(true), storage_buffer_binding(false));
+        let written_nodes = storage_texture_binding(nodes::FORMAT);
+        let bindings = [uniform, uniform, read, read, read, write, written_nodes];
+        let compile = || ComputeShader::new(&self.device, "list_stars", &bindings, key.source());
+        let mut lists = self.lists.lock().unwrap_or_else(PoisonError::into_inner);
+        lists
+            .entry(key)
+            .or_insert_with(|| Arc::new(compile()))
+            .clone()
+    }
 }
 
 fn overflow_source(root: &str) -> String {
@@ -80,13 +118,22 @@ pub(super) mod tests {
 
     /// The WGSL source that makes the star lists with bending.
     pub(in crate::gpu::stars) fn bent_source() -> String {
-        list_source(BENT)
+        ListKey::AT_REST.source()
     }
 
     #[test]
     fn they_are_valid() {
-        for images in [BENT, FLAT] {
-            validate(&list_source(images), &["list_stars"]);
+        for bent in [false, true] {
+            for motion in [MotionKey::AT_REST, MotionKey::BOOSTED] {
+                for shift in [Shift::Off, Shift::Brightness, Shift::Colour] {
+                    let key = ListKey {
+                        bent,
+                        motion,
+                        shift,
+                    };
+                    validate(&key.source(), &["list_stars"]);
+                }
+            }
         }
         for name in ["sum_overflow_lists", "link_overflow_sums"] {
             validate(&overflow_source(name), &[name]);

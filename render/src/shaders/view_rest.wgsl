@@ -1,0 +1,23 @@
+// View directions and patches of a camera that is the observer of the row, at rest or in radial motion.
+// #import patch
+// #import region
+
+// The unit view direction of the centre of pixel `id` of the region.
+fn view_direction(id: vec2<u32>) -> vec3<f32> {
+    return direction_at(from_middle(region.first + id));
+}
+
+// The unit view direction at `at`, in pixels from the picture's centre.
+fn direction_at(at: vec2<f32>) -> vec3<f32> {
+    return normalize(view_ray(at));
+}
+
+// The square patch with sides of `side` pixels, centred on `at`, in pixels from the picture's centre.
+fn patch_at(at: vec2<f32>, side: f32) -> Patch {
+    return patch_of(view_ray(at), camera.right * side, camera.down * side);
+}
+
+// Upper bound on the scale of the aberration within `reach` (rad) of the view direction at `at`.
+fn largest_scale(at: vec2<f32>, reach: f32) -> f32 {
+    return 1.0;
+}
