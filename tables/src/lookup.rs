@@ -168,13 +168,22 @@ pub struct GpuRow {
 }
 
 impl GpuRow {
-    /// `row` rounded to f32. The shader supports the residual axis only.
+    /// `row` rounded to f32. The shader supports the residual axis only. Below the horizon the texels are in the order of
+    /// falling q.
     pub fn new(row: &Row) -> Self {
+        let mut texels = row.gpu_texels();
+        let side = HorizonSide::of(row.observer());
+        if side == HorizonSide::Below {
+            texels.reverse();
+            for texel in &mut texels {
+                texel[1] = -texel[1];
+            }
+        }
         GpuRow {
             edge: ShadowEdge::of(row.observer()),
-            texels: row.gpu_texels(),
+            texels,
             interpolation: row.interpolation(),
-            side: HorizonSide::of(row.observer()),
+            side,
         }
     }
 

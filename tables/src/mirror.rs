@@ -48,21 +48,27 @@ pub fn by_view_angle(by_x: f32, x: f32, p: f32, edge: ShadowEdge, side: HorizonS
     }
 }
 
-/// The position q along the row, from `d` = 1 − X and `root` = √X.
+/// The position along the row, from `d` = 1 − X and `root` = √X: q above the horizon, 1 − q below, where the texels are in
+/// the order of falling q.
 pub fn row_position(d: f32, root: f32, side: HorizonSide) -> f32 {
     match side {
         HorizonSide::Above => (d / (1.0 + root)).sqrt(),
         HorizonSide::Below => {
-            (8.0 * d / ((1.0 + root) * (7.0 + (1.0 + 48.0 * root).sqrt()))).sqrt()
+            let grown = (1.0 + 48.0 * root).sqrt();
+            let q = (8.0 * d / ((1.0 + root) * (7.0 + grown))).sqrt();
+            8.0 * root / ((1.0 + grown) * (1.0 + q))
         }
     }
 }
 
-/// dX/dq.
-pub fn row_position_slope(q: f32, root: f32, side: HorizonSide) -> f32 {
+/// dX/d position, at `position`.
+pub fn row_position_slope(position: f32, root: f32, side: HorizonSide) -> f32 {
     match side {
-        HorizonSide::Above => -4.0 * q * root.max(1e-9),
-        HorizonSide::Below => -q * root.max(1e-9) * (7.0 - 6.0 * q * q),
+        HorizonSide::Above => -4.0 * position * root.max(1e-9),
+        HorizonSide::Below => {
+            let q = 1.0 - position;
+            q * root.max(1e-9) * (7.0 - 6.0 * q * q)
+        }
     }
 }
 

@@ -10,12 +10,12 @@ fn by_view_angle(by_x: f32, x: f32, p: f32, edge: ShadowEdge) -> f32 {
     return -by_x * x / max(p, 1e-30);
 }
 
-// The position q along the row, from d = 1 − x and √x.
+// The position along the row, from d = 1 − x and √x.
 fn row_position(d: f32, root: f32) -> f32 {
     return sqrt(d / (1.0 + root));
 }
 
-// dx/dq.
+// dx/d position, at the position q.
 fn row_position_slope(q: f32, root: f32) -> f32 {
     return -4.0 * q * max(root, 1e-9);
 }

@@ -13,12 +13,18 @@ fn by_view_angle(by_x: f32, x: f32, p: f32, edge: ShadowEdge) -> f32 {
     return -by_x * x * (1.0 + (edge.scale - 1.0) * x) / max(p, 1e-30);
 }
 
-// The position q along the row, from d = 1 − X and √X: √X = 1 − (7/4) q² + (3/4) q⁴.
+// The position along the row from d = 1 − X and √X: √X = 1 − (7/4) q² + (3/4) q⁴. The texels are in the order of falling
+// q, so that the position is 1 − q: straight away, where q is 1 and a pixel covers the least of the sky, rounding q would
+// cost most.
 fn row_position(d: f32, root: f32) -> f32 {
-    return sqrt(8.0 * d / ((1.0 + root) * (7.0 + sqrt(1.0 + 48.0 * root))));
+    let grown = sqrt(1.0 + 48.0 * root);
+    let q = sqrt(8.0 * d / ((1.0 + root) * (7.0 + grown)));
+    // 1 − q² = 8 √X / (1 + √(1 + 48 √X)).
+    return 8.0 * root / ((1.0 + grown) * (1.0 + q));
 }
 
-// dX/dq.
-fn row_position_slope(q: f32, root: f32) -> f32 {
-    return -q * max(root, 1e-9) * (7.0 - 6.0 * q * q);
+// dX/d position, at the position.
+fn row_position_slope(position: f32, root: f32) -> f32 {
+    let q = 1.0 - position;
+    return q * max(root, 1e-9) * (7.0 - 6.0 * q * q);
 }
