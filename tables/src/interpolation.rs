@@ -56,6 +56,44 @@ impl Interpolation {
     }
 }
 
+/// The stored value and its derivative with respect to q at `q` (clamped to [0, 1]), by the polynomial of degree 7
+/// through the values and slopes of the four texels around it. There must be at least four texels. It is for the CPU,
+/// where a finer row is made from this one: with 64 texels it is hundreds of times as accurate as the cubic where the
+/// row is smooth.
+pub(crate) fn septic(texels: &[[f64; 2]], q: f64) -> Stored {
+    const NODES: usize = 4;
+    let last = texels.len() - 1;
+    let position = q.clamp(0.0, 1.0) * last as f64;
+    let first = (position as usize)
+        .saturating_sub(1)
+        .min(texels.len() - NODES);
+    let t = position - first as f64;
+    // Newton's divided differences with each node twice; the difference of equal nodes is the slope.
+    let node = |i: usize| (i / 2) as f64;
+    let mut table: [f64; 2 * NODES] = std::array::from_fn(|i| texels[first + i / 2][0]);
+    let mut coefficients = [table[0]; 2 * NODES];
+    for order in 1..2 * NODES {
+        for i in 0..2 * NODES - order {
+            let width = node(i + order) - node(i);
+            table[i] = if width == 0.0 {
+                texels[first + i / 2][1]
+            } else {
+                (table[i + 1] - table[i]) / width
+            };
+        }
+        coefficients[order] = table[0];
+    }
+    let (mut value, mut slope) = (0.0, 0.0);
+    for (i, coefficient) in coefficients.iter().enumerate().rev() {
+        slope = slope * (t - node(i)) + value;
+        value = value * (t - node(i)) + coefficient;
+    }
+    Stored {
+        value,
+        slope: slope * last as f64,
+    }
+}
+
 /// A number type that the interpolations compute with: `f32` as on a GPU, `f64` for the reference.
 pub trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + From<u8>
@@ -90,6 +128,22 @@ pub fn cubic<T: Real>([a, slope_a]: [T; 2], [b, slope_b]: [T; 2], t: T) -> [T; 2
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn septic_reproduces_polynomials_of_degree_seven() {
+        let f = |q: f64| 0.3 + q * q * (2.0 - q.powi(5));
+        let df = |q: f64| q * (4.0 - 7.0 * q.powi(5));
+        let texels: Vec<_> = (0..8)
+            .map(|i| f64::from(i) / 7.0)
+            .map(|q| [f(q), df(q) / 7.0])
+            .collect();
+        for i in 0..=100 {
+            let q = f64::from(i) / 100.0;
+            let stored = septic(&texels, q);
+            assert!((stored.value - f(q)).abs() < 1e-12, "{q}");
+            assert!((stored.slope - df(q)).abs() < 1e-10, "{q}");
+        }
+    }
 
     #[test]
     fn hermite_reproduces_cubics_and_linear_reproduces_lines() {

@@ -2,6 +2,7 @@
 
 use crate::axis::{Axis, Stored};
 use crate::header::check_texels;
+use crate::interpolation::septic;
 use crate::lookup::{HorizonSide, RowShape};
 use crate::{Interpolation, TableError, Texel};
 use lensbake_core::{BendAndSlope, Observer, RayOutcome, ShadowCoordinate};
@@ -35,14 +36,14 @@ impl Row {
 
     /// The row for `observer` in another radial motion at the same radius: the bending Δ = θ − θ′ changes by the
     /// difference of the two view angles θ at the same x, which is added at each texel. Each interval between texels is
-    /// divided into [`FRAME_REFINEMENT`], because that difference is narrow for a distant observer; the cubics of the
-    /// row itself stay the same. On the residual axis only; the others are for the observer at infinity, who is at rest.
+    /// divided into [`FRAME_REFINEMENT`], because that difference is narrow for a distant observer, and pixels straight
+    /// away from a near one are small. On the residual axis only; the others are for the observer at infinity, who is at rest.
     pub(crate) fn in_frame_of(self, observer: Observer) -> Self {
         let count = (self.texels.len() - 1) * FRAME_REFINEMENT + 1;
         let last = (count - 1) as f64;
         let texels = (0..count).map(|i| {
             let q = i as f64 / last;
-            let (stored, aberration) = (self.stored(q), self.aberration(&observer, q));
+            let (stored, aberration) = (septic(&self.texels, q), self.aberration(&observer, q));
             [
                 stored.value + aberration.value,
                 (stored.slope + aberration.slope) / last,
@@ -136,6 +137,18 @@ impl Row {
         let at = self.axis.row_coordinate(&self.observer, at);
         let stored = self.stored(self.axis.position(at));
         RayOutcome::Escapes(self.axis.bend(&self.observer, at, stored.value))
+    }
+
+    /// The bending Δ at the normalised shadow coordinate `at` for `observer`, who may be in any radial motion at the
+    /// radius of this row, rad. For the row of [`Observer::in_row_frame`], to whose bending the exact difference of the
+    /// two view angles is added: more accurate than the row that [`crate::Table::row`] makes for the motion.
+    pub fn bend_for(&self, observer: &Observer, at: ShadowCoordinate) -> RayOutcome {
+        let bend = self.bend(at);
+        if observer.is_at_rest() {
+            return bend;
+        }
+        let aberration = observer.view_angle(at.x) - self.observer.view_angle(at.x);
+        bend.map(|bend| bend + aberration)
     }
 
     /// The bending Δ and dΔ/dx at the normalised shadow coordinate `at`.

@@ -4,7 +4,7 @@
 use super::rays::{ObservedRay, off_nodes};
 use crate::statistics::ErrorStatistics;
 use crate::{Header, Measured, Row, Table, TableError};
-use lensbake_core::{Observer, exact};
+use lensbake_core::exact;
 use rayon::prelude::*;
 
 /// Measures the error of `table` and writes it into the header, below the horizon separately. The error is infinite if
@@ -42,31 +42,34 @@ fn measure(table: &Table, rays: &[ObservedRay]) -> Result<Measured, TableError> 
 /// captures.
 ///
 /// # Errors
-/// [`TableError::OtherObserver`] if the table holds only the row of another observer.
+/// As [`for_each_ray`].
 pub fn lookup_errors(table: &Table, rays: &[ObservedRay]) -> Result<Vec<f64>, TableError> {
     for_each_ray(table, rays, |row, ray| {
-        let looked_up = row.bend(ray.at).escaped().unwrap_or(f64::NAN);
+        let looked_up = row.bend_for(&ray.observer, ray.at).escaped().unwrap_or(f64::NAN);
         let closed = exact::bend(&ray.observer.ray_at(ray.at));
         looked_up - closed.escaped().unwrap_or(f64::NAN)
     })
 }
 
-/// Calls `f` with each ray of `rays` and the row of its observer, in parallel. The row is interpolated once for
-/// each run of consecutive rays with the same observer.
+/// Calls `f` with each ray of `rays` and the row of its observer's row frame ([`in_row_frame`]), in parallel.
+/// The row is interpolated once for each run of consecutive rays with the same observer.
 ///
 /// # Errors
-/// [`TableError::OtherObserver`] if the table holds only the row of another observer.
-pub fn for_each_ray<T: Send>(
+/// [`TableError::OtherObserver`] if the table holds only the row of another observer,
+/// [`TableError::NoRowsBelow`] if it does not reach down to an observer.
+///
+/// [`in_row_frame`]: lensbake_core::Observer::in_row_frame
+pub fn for_each_ray<R: AsRef<ObservedRay> + Sync, T: Send>(
     table: &Table,
-    rays: &[ObservedRay],
-    f: impl Fn(&Row, &ObservedRay) -> T + Sync,
+    rays: &[R],
+    f: impl Fn(&Row, &R) -> T + Sync,
 ) -> Result<Vec<T>, TableError> {
-    let runs: Vec<&[ObservedRay]> = rays.chunk_by(|a, b| a.observer == b.observer).collect();
+    let observer = |ray: &R| ray.as_ref().observer;
+    let runs: Vec<&[R]> = rays.chunk_by(|a, b| observer(a) == observer(b)).collect();
     let answers: Result<Vec<Vec<T>>, TableError> = runs
         .into_par_iter()
         .map(|run| {
-            let observer: Observer = run[0].observer;
-            let row = table.row(observer)?;
+            let row = table.row(observer(&run[0]).in_row_frame())?;
             Ok(run.iter().map(|ray| f(&row, ray)).collect())
         })
         .collect();
