@@ -1,10 +1,11 @@
 //! The contenders of the benchmark.
 
+use lensbake_core::Motion;
 use lensbake_render::lens::Deflection;
 use lensbake_render::scene::Sampling;
 use std::f64::consts::PI;
 
-/// A deflection method with its sampling, with or without stars.
+/// A deflection method with its sampling and the camera's motion, with or without stars.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contender {
     /// Deflection method.
@@ -13,6 +14,8 @@ pub struct Contender {
     pub sampling: Sampling,
     /// Whether the Hipparcos stars are drawn.
     pub stars: bool,
+    /// How the camera moves.
+    pub motion: Motion,
 }
 
 /// No deflection: the lower bound of the cost.
@@ -27,13 +30,26 @@ pub const FILTERED: Contender = Contender {
     ..LUT
 };
 
+/// The table for a camera in free fall: the motion is in the row.
+pub const LUT_FALL: Contender = LUT.in_motion(Motion::Fall);
+/// The table for a camera in orbit: the shader maps the view direction (aberration).
+pub const LUT_ORBIT: Contender = LUT.in_motion(Motion::Orbit);
+/// As [`LUT_FALL`], the mean over each pixel.
+pub const FILTERED_FALL: Contender = FILTERED.in_motion(Motion::Fall);
+/// As [`LUT_ORBIT`], the mean over each pixel.
+pub const FILTERED_ORBIT: Contender = FILTERED.in_motion(Motion::Orbit);
+
 /// All contenders; direct integration in the order of its number of steps.
-pub const CONTENDERS: [Contender; 8] = [
+pub const CONTENDERS: [Contender; 12] = [
     FLAT,
     LUT,
     FILTERED,
     LUT.with_stars(),
     FILTERED.with_stars(),
+    LUT_FALL,
+    LUT_ORBIT,
+    FILTERED_FALL,
+    FILTERED_ORBIT,
     plain(Deflection::Direct { step: 0.2 }),
     plain(Deflection::Direct { step: 0.1 }),
     FINEST,
@@ -44,6 +60,7 @@ const fn plain(deflection: Deflection) -> Contender {
         deflection,
         sampling: Sampling::Single,
         stars: false,
+        motion: Motion::Rest,
     }
 }
 
@@ -54,6 +71,11 @@ impl Contender {
             stars: true,
             ..self
         }
+    }
+
+    /// The same for a camera in motion.
+    const fn in_motion(self, motion: Motion) -> Self {
+        Contender { motion, ..self }
     }
 
     /// Its name.
@@ -69,6 +91,10 @@ impl Contender {
             Sampling::Filtered => " filtered",
         };
         let stars = if self.stars { " with stars" } else { "" };
-        format!("{deflection}{filtered}{stars}")
+        let motion = match self.motion {
+            Motion::Rest => String::new(),
+            motion => format!(" in {motion}"),
+        };
+        format!("{deflection}{filtered}{stars}{motion}")
     }
 }

@@ -13,6 +13,7 @@ pub use contender::{CONTENDERS, Contender};
 pub use measured::Measured;
 
 use crate::gpu_time::{FrameTime, Timer};
+use lensbake_core::Motion;
 use lensbake_render::camera::{Camera, CameraError, View};
 use lensbake_render::gpu::{
     FrameContent, GpuError, RealtimeRenderer, Renderer, SkyOnDevice, StarsOnDevice,
@@ -118,7 +119,7 @@ pub async fn run(
                 most,
             });
         }
-        Camera::new(&view(RADII.1, (width, height)))?;
+        Camera::new(&view(RADII.1, Motion::Rest, (width, height)))?;
     }
     let errors = errors::largest(renderer, table).await?;
     let mut flight = Flight {
@@ -198,7 +199,8 @@ impl Flight<'_> {
     ) -> Result<FrameTime, BenchError> {
         let started = Instant::now();
         let scene = Scene {
-            lens: lens(self.table, radius, size)?.with_deflection(contender.deflection),
+            lens: lens(self.table, radius, contender.motion, size)?
+                .with_deflection(contender.deflection),
             sampling: contender.sampling,
             sky: self.sky.clone(),
             stars: contender.stars.then(|| self.stars.clone()),
@@ -217,17 +219,18 @@ fn radius(swings: f64) -> f64 {
     0.5 * (near + far) + 0.5 * (far - near) * (TAU * swings).cos()
 }
 
-fn view(radius: f64, (width, height): (u32, u32)) -> View {
+fn view(radius: f64, motion: Motion, (width, height): (u32, u32)) -> View {
     View {
         radius,
+        motion,
         width,
         height,
         ..View::default()
     }
 }
 
-fn lens(table: &Table, radius: f64, size: (u32, u32)) -> Result<Lens, BenchError> {
-    let camera = Camera::new(&view(radius, size))?;
+fn lens(table: &Table, radius: f64, motion: Motion, size: (u32, u32)) -> Result<Lens, BenchError> {
+    let camera = Camera::new(&view(radius, motion, size))?;
     Ok(Lens::new(camera, table, Deflection::Lut)?)
 }
 

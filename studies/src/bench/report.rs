@@ -1,6 +1,9 @@
 //! The benchmark as a table for a terminal, as CSV and as JSON.
 
-use super::contender::{CONTENDERS, Contender, FILTERED, FINEST, FLAT, LUT};
+use super::contender::{
+    CONTENDERS, Contender, FILTERED, FILTERED_FALL, FILTERED_ORBIT, FINEST, FLAT, LUT, LUT_FALL,
+    LUT_ORBIT,
+};
 use super::{Bench, MeasuredContender};
 use crate::figure::csv::quoted;
 use crate::figure::median;
@@ -55,6 +58,10 @@ fn ratios(bench: &Bench, size: (u32, u32)) -> String {
         ratio(FILTERED, LUT),
         ratio(LUT.with_stars(), LUT),
         ratio(FILTERED.with_stars(), FILTERED),
+        ratio(LUT_FALL, LUT),
+        ratio(LUT_ORBIT, LUT),
+        ratio(FILTERED_FALL, FILTERED),
+        ratio(FILTERED_ORBIT, FILTERED),
     ];
     format!("{}x{}: {}", size.0, size.1, ratios.join(", "))
 }

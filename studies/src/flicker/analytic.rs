@@ -1,9 +1,12 @@
-//! The analytic curve: the light of a star that each picture of an orbit should contain. The star's images come
-//! from root-finding on the closed form of the bending, without the table and its inverse row.
+//! The analytic curve: the light of a star that each picture of a flight should contain. The star's images come
+//! from root-finding on the closed form of the bending, without the table and its inverse row. For a moving camera the
+//! light of an image is its magnification times g⁴, g being the frequency shift.
 
+use super::shift;
 use glam::{DVec2, Vec3};
 use lensbake_core::{CoreError, Observer, exact};
 use lensbake_render::lens::Lens;
+use lensbake_render::shift::Shift;
 use lensbake_render::stars::PointStar;
 use lensbake_render::stars::images::{ImageOrder, MIN_LIGHT, view_direction};
 use lensbake_render::stars::kernel::spread;
@@ -13,7 +16,7 @@ use std::f64::consts::PI;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Expected {
     /// The light of all images in the picture, in units of the star's light without the hole (the sum of their
-    /// magnifications).
+    /// magnifications, times g⁴ for a moving camera).
     pub light: f64,
     /// Whether its first image, the brightest, is among them.
     pub has_first: bool,
@@ -39,12 +42,19 @@ pub fn expected(lens: &Lens, star: &PointStar) -> Result<Option<Expected>, CoreE
         let mut bright = false;
         for order in pair {
             let image = exact_image(&camera.observer, beta, order)?;
-            let light = star.light * image.magnification as f32;
+            let seen = view_direction(azimuth * image.side, image.theta);
+            let (direction, doppler) = camera.boosted(seen);
+            let by_shift = match shift(lens) {
+                Shift::Off => 1.0,
+                _ => (doppler * camera.observer.frequency_shift(image.theta)).powi(4),
+            };
+            let gain = image.magnification / (doppler * doppler) * by_shift;
+            let light = star.light * gain as f32;
             if light.max_element() < MIN_LIGHT {
                 continue;
             }
             bright = true;
-            let Some(at) = camera.project(view_direction(azimuth * image.side, image.theta)) else {
+            let Some(at) = camera.project(direction) else {
                 continue;
             };
             let inside = at.min(size - at).min_element();
@@ -52,7 +62,7 @@ pub fn expected(lens: &Lens, star: &PointStar) -> Result<Option<Expected>, CoreE
                 return Ok(None);
             }
             if inside > 0.0 {
-                sum.light += image.magnification;
+                sum.light += gain;
                 sum.has_first |= order.is_straight();
             }
         }

@@ -1,5 +1,6 @@
 //! A star as one texel of a sky, as programs show it that have only a picture of the stars.
 
+use super::shift;
 use glam::Vec3;
 use lensbake_core::RayOutcome;
 use lensbake_render::camera::Camera;
@@ -61,7 +62,8 @@ pub fn nearest_sample(lens: &Lens, texel: Texel) -> f64 {
         |column, row| match lens.ray(camera.direction(column, row)) {
             RayOutcome::Escapes(ray) => {
                 let met = Texel::at((camera.sky_from_hole * ray.direction).as_vec3());
-                f64::from(u8::from(met == texel))
+                let light = shift(lens).seen(Vec3::ONE, ray.frequency_shift);
+                f64::from(u8::from(met == texel)) * f64::from(light.y)
             }
             RayOutcome::Captured => 0.0,
         },
@@ -72,7 +74,9 @@ pub fn nearest_sample(lens: &Lens, texel: Texel) -> f64 {
 /// The light of `texel` in the filtered picture of `sky` through `lens`, in units of the texel's light without the
 /// hole.
 pub fn filtered_sky(lens: &Lens, texel: Texel, sky: &Arc<Sky>) -> f64 {
-    let scene = Scene::new(lens.clone(), sky.clone()).with_sampling(Sampling::Filtered);
+    let scene = Scene::new(lens.clone(), sky.clone())
+        .with_sampling(Sampling::Filtered)
+        .with_shift(shift(lens));
     let picture = cpu::render(&scene, || ());
     let light = picture.pixels().iter().map(|pixel| f64::from(pixel[1]));
     by_solid_angle(&lens.camera, light) / texel.solid_angle()

@@ -1,12 +1,11 @@
-//! A star through the orbit: its light in the pictures of CPU and GPU, and the departure from the analytic curve.
+//! A star through the flight: its light in the pictures of CPU and GPU, and the departure from the analytic curve.
 
-use super::{Expected, FlickerError, Subject, Texel, filtered_sky, nearest_sample};
+use super::{Expected, FlickerError, Subject, Texel, filtered_sky, nearest_sample, shift};
 use glam::Vec3;
 use lensbake_render::gpu::Renderer;
 use lensbake_render::lens::Lens;
 use lensbake_render::picture::Picture;
 use lensbake_render::scene::Scene;
-use lensbake_render::shift::Shift;
 use lensbake_render::sky::Sky;
 use lensbake_render::stars::{self, PointStar};
 use rayon::prelude::*;
@@ -29,7 +28,7 @@ pub struct Track {
 /// A frame that counts. Light is stated as found over expected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FlickerFrame {
-    /// Number of the frame in the orbit, from 0.
+    /// Number of the frame in the flight, from 0.
     pub number: usize,
     /// What the frame should contain.
     pub expected: Expected,
@@ -119,7 +118,7 @@ fn as_texel(lens: &Lens, texel: Texel, sky: &Arc<Sky>, expected: Expected) -> Te
 fn point(lens: &Lens, subject: &Subject) -> f64 {
     let camera = &lens.camera;
     let mut picture = Picture::new(camera.width, camera.height, vec![[0.0; 3]; camera.pixels()]);
-    stars::draw(&mut picture, lens, &subject.field, Shift::Off);
+    stars::draw(&mut picture, lens, &subject.field, shift(lens));
     light_of(&picture, subject.point())
 }
 
@@ -147,7 +146,10 @@ pub async fn point_on_gpu(
     let mut found = Vec::with_capacity(track.frames.len());
     for frame in &track.frames {
         let lens = lenses[frame.number].clone();
-        let scene = Scene::new(lens, black.clone()).with_stars(stars.clone());
+        let shift = shift(&lens);
+        let scene = Scene::new(lens, black.clone())
+            .with_stars(stars.clone())
+            .with_shift(shift);
         let picture = renderer.picture(&scene, |_| ()).await?;
         found.push(light_of(&picture, subject.point()) / frame.expected.light);
         frame_done();

@@ -1,8 +1,11 @@
 //! The methods that the chart compares.
 
-use lensbake_render::lens::{Lens, LensError};
+use super::ChartError;
+use lensbake_core::{Motion, MovingFrame};
+use lensbake_render::camera::{Camera, CameraError, View};
+use lensbake_render::lens::{Deflection, Lens, LensError};
 use lensbake_render::model::Model;
-use lensbake_tables::Interpolation;
+use lensbake_tables::{Interpolation, Table};
 
 /// A family of methods.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,15 +18,18 @@ pub enum Family {
     Direct,
     /// No deflection: the lower bound of the cost.
     Flat,
+    /// The default row for a camera in free fall.
+    Falling,
 }
 
 impl Family {
     /// All families, in the legend's order.
-    pub const ALL: [Family; 4] = [
+    pub const ALL: [Family; 5] = [
         Family::Hermite,
         Family::Linear,
         Family::Direct,
         Family::Flat,
+        Family::Falling,
     ];
 
     /// Name in the legend and the CSV file.
@@ -33,6 +39,7 @@ impl Family {
             Family::Linear => "row, linear",
             Family::Direct => "direct RK4, f32",
             Family::Flat => "undeflected",
+            Family::Falling => "in free fall",
         }
     }
 }
@@ -90,5 +97,28 @@ pub fn contenders(lens: &Lens) -> Result<Vec<Contender>, LensError> {
         .chain(finer)
         .chain(direct)
         .map(contender)
+        .collect()
+}
+
+/// The ways to draw the view of a camera in free fall: by the row for its frame, or by the row of the observer at rest
+/// (at the horizon and below, in free fall) with a boost in the shader. Below the horizon there is only the first.
+///
+/// # Errors
+/// [`ChartError`] if nobody can fall at the view's radius, or `table` has no row there.
+pub fn falling(view: &View, table: &Table) -> Result<Vec<Contender>, ChartError> {
+    let frame = MovingFrame::new(view.radius, Motion::Fall).map_err(CameraError::Radius)?;
+    let boosted = frame.as_boost();
+    let mut frames = vec![("row for the frame", frame)];
+    frames.extend((boosted != frame).then_some(("boost in the shader", boosted)));
+    frames
+        .into_iter()
+        .map(|(name, frame)| {
+            let camera = Camera::in_frame(&frame, view)?;
+            Ok(Contender {
+                name: name.to_owned(),
+                family: Family::Falling,
+                lens: Lens::new(camera, table, Deflection::Lut)?,
+            })
+        })
         .collect()
 }

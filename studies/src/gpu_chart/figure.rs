@@ -174,6 +174,7 @@ where
             let (x, y) = at;
             area.draw(&Rectangle::new([(x - 9, y - 9), (x + 9, y + 9)], style))?;
         }
+        Family::Falling => area.draw(&Circle::new(at, 10, colour(family).stroke_width(4)))?,
     }
     Ok(())
 }
@@ -188,7 +189,7 @@ where
     DB::ErrorType: 'static,
 {
     let (side, anchor) = match family {
-        Family::Linear | Family::Flat => (-1, HPos::Right),
+        Family::Linear | Family::Flat | Family::Falling => (-1, HPos::Right),
         Family::Hermite | Family::Direct => (1, HPos::Left),
     };
     let colour = colour(family);
@@ -275,6 +276,7 @@ fn colour(family: Family) -> RGBColor {
         Family::Linear => RGBColor(188, 76, 0),
         Family::Direct => RGBColor(9, 105, 218),
         Family::Flat => Ink::DARK,
+        Family::Falling => RGBColor(130, 80, 223),
     }
 }
 

@@ -4,9 +4,10 @@ mod contenders;
 pub mod csv;
 pub mod figure;
 
-pub use contenders::{Contender, Family, contenders};
+pub use contenders::{Contender, Family, contenders, falling};
 
 use crate::gpu_time::{FrameTimes, interleaved};
+use lensbake_render::camera::CameraError;
 use lensbake_render::diff::{Reference, TraceStatistics};
 use lensbake_render::gpu::{GpuError, Renderer};
 use lensbake_render::lens::{Lens, LensError};
@@ -78,6 +79,9 @@ pub enum ChartError {
     /// A contender cannot be drawn.
     #[error(transparent)]
     Lens(#[from] LensError),
+    /// A contender has no camera.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
     /// The picture shows only the hole.
     #[error("the picture shows nothing but the hole: there is no error to measure")]
     NoSky,
@@ -88,7 +92,8 @@ pub fn steps(workload: Workload, contenders: usize) -> u64 {
     u64::from(workload.rounds) + contenders as u64
 }
 
-/// Measures all `contenders` on the picture of `sky` through `lens`, whose row must be the table's. `step` is
+/// Measures all `contenders` on the picture of `sky` through `lens`, whose row must be the table's; a contender with
+/// another camera on its own picture. `step` is
 /// called after the errors of each contender and after each round of timing.
 ///
 /// # Errors
@@ -101,10 +106,16 @@ pub async fn measure(
     workload: Workload,
     step: impl Fn(),
 ) -> Result<Chart, ChartError> {
-    let reference = Reference::new(lens, || ());
-    let truth = reference.trace();
+    let mut reference = Reference::new(lens, || ());
+    let mut truth = reference.trace();
+    let mut camera = lens.camera;
     let mut errors = Vec::new();
     for contender in &contenders {
+        if contender.lens.camera != camera {
+            camera = contender.lens.camera;
+            reference = Reference::new(&contender.lens, || ());
+            truth = reference.trace();
+        }
         let trace = renderer.trace(&contender.lens, |_| ()).await?;
         let statistics = TraceStatistics::of(&reference.errors(&trace, &truth));
         errors.push(statistics.ok_or(ChartError::NoSky)?);

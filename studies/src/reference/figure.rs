@@ -46,8 +46,8 @@ fn corner(study: &Study) -> [u32; 2] {
     let (sin, cos) = camera.observer.shadow_angle().sin_cos();
     let edge = |turn: f64| DVec3::new(sin * turn.cos(), sin * turn.sin(), -cos);
     let (column, row) = camera
-        .pixel(edge(0.3))
-        .or_else(|| camera.pixel(edge(0.0)))
+        .pixel(camera.boosted(edge(0.3)).0)
+        .or_else(|| camera.pixel(camera.boosted(edge(0.0)).0))
         .unwrap_or((camera.width / 2, camera.height / 2));
     let first = |middle: u32, crop: u32, size: u32| {
         middle

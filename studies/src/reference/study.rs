@@ -1,7 +1,7 @@
 //! The filtered and the single-sampled picture compared with the reference, in several views.
 
 use super::{PictureError, on_gpu};
-use lensbake_core::Observer;
+use lensbake_core::{Motion, Observer};
 use lensbake_render::camera::{Camera, CameraError, View};
 use lensbake_render::gpu::{GpuError, Renderer};
 use lensbake_render::lens::{Deflection, Lens, LensError};
@@ -67,7 +67,8 @@ pub enum StudyError {
 }
 
 /// The views: the four of the bholetrace report, to which the limits of the error apply; one in which the shadow
-/// is more than half of the sky; one far away; and one close-up of the shadow's edge.
+/// is more than half of the sky; one far away; one close-up of the shadow's edge; and moving cameras at the horizon, below
+/// it, in orbit and below the horizon under way, to which the limits apply as well.
 pub fn cases(width: u32, height: u32) -> Vec<Case> {
     let case = |name: &str, barred, radius, yaw_deg, fov_deg| Case {
         name: name.to_owned(),
@@ -81,6 +82,20 @@ pub fn cases(width: u32, height: u32) -> Vec<Case> {
         },
         barred,
     };
+    let moving = |name: &str, radius, motion, yaw_deg| {
+        let at_rest = case(name, true, radius, yaw_deg, 90.0);
+        Case {
+            view: View {
+                motion,
+                ..at_rest.view
+            },
+            ..at_rest
+        }
+    };
+    let sideways = Motion::Velocity {
+        radial: 0.0,
+        tangential: 0.3,
+    };
     let edge_at_10 = Observer::at(10.0).map_or(0.0, |o| o.shadow_angle().to_degrees());
     vec![
         case("r = 50", true, 50.0, 0.0, 90.0),
@@ -90,6 +105,10 @@ pub fn cases(width: u32, height: u32) -> Vec<Case> {
         case("r = 1.2", false, 1.2, 140.0, 90.0),
         case("r = 1000", false, 1000.0, 0.0, 90.0),
         case("r = 10, 5° of the edge", false, 10.0, edge_at_10, 5.0),
+        moving("falling, r = 1", 1.0, Motion::Fall, 40.0),
+        moving("falling, r = 0.3", 0.3, Motion::Fall, 90.0),
+        moving("in orbit, r = 3", 3.0, Motion::Orbit, 60.0),
+        moving("0.3 c sideways, r = 0.7", 0.7, sideways, 60.0),
     ]
 }
 

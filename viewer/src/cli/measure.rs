@@ -3,6 +3,7 @@
 use super::scene::DeviceName;
 use super::values::size;
 use clap::Args;
+use lensbake_core::Motion;
 use lensbake_render::camera::View;
 use std::path::PathBuf;
 
@@ -78,10 +79,27 @@ pub struct FlickerArgs {
     /// Size of the pictures.
     #[arg(long, value_name = "WxH", default_value = "480x270", value_parser = size)]
     pub size: (u32, u32),
-    /// Radial coordinate r of the orbit in Schwarzschild radii, above 1 (the horizon).
+    /// Radial coordinate r of the orbit in Schwarzschild radii, above 1 (the horizon); of a fall, where it begins.
     #[arg(short, long, value_name = "R", default_value_t = View::default().radius, allow_negative_numbers = true)]
     pub radius: f64,
-    /// Number of frames in the orbit.
+    /// Motion of the camera: `rest` is carried around the hole at rest, `orbit` moves freely around it, `fall` falls to
+    /// r = 0.05. For a moving camera the light is measured with the brightness of its frequency shift.
+    #[arg(
+        long,
+        value_name = "rest|fall|orbit|BR,BT",
+        default_value = "rest",
+        allow_hyphen_values = true
+    )]
+    pub motion: Motion,
+    /// Look this far to the right of the hole.
+    #[arg(
+        long,
+        value_name = "DEG",
+        default_value_t = 0.0,
+        allow_negative_numbers = true
+    )]
+    pub yaw: f64,
+    /// Number of frames.
     #[arg(long, value_name = "N", default_value_t = 240, value_parser = clap::value_parser!(u32).range(8..=10_000))]
     pub frames: u32,
     /// Number of stars: the brightest of Hipparcos that appear in the pictures.

@@ -41,7 +41,7 @@ pub enum Command {
     Bench(BenchArgs),
     /// Measure the error of the filtered picture against many rays per pixel by direct integration.
     Reference(ReferenceArgs),
-    /// Measure how much stars flicker during an orbit, against their analytic light curves.
+    /// Measure how much stars flicker during an orbit or a fall, against their analytic light curves.
     Flicker(FlickerArgs),
     /// Convert the raw Hipparcos file, hip2.dat of CDS I/311, to the compact catalogue.
     Catalogue(CatalogueArgs),

@@ -10,7 +10,7 @@ use lensbake_render::lens::{Deflection, Lens};
 use lensbake_render::sky::{self, SkySource};
 use lensbake_studies::figure::drawing;
 use lensbake_studies::gpu_chart::figure::ChartFigure;
-use lensbake_studies::gpu_chart::{Workload, contenders, csv, measure, steps};
+use lensbake_studies::gpu_chart::{ChartError, Workload, contenders, csv, falling, measure, steps};
 use lensbake_tables::default_atlas;
 use pollster::block_on;
 use std::sync::Arc;
@@ -25,18 +25,19 @@ pub fn run(args: &ChartArgs) -> Result<Outcome, CommandError> {
         (Workload::FULL, (1920, 1080))
     };
     let (width, height) = args.size.unwrap_or(default_size);
-    let camera = Camera::new(&View {
+    let view = View {
         radius: args.radius,
         fov_deg: args.fov,
         width,
         height,
         ..View::default()
-    })?;
+    };
+    let camera = Camera::new(&view)?;
     let renderer = Renderer::new(&block_on(Gpu::open())?);
     let sky = Arc::new(sky::load(&SkySource::Nebula)?);
-    let lens = Lens::new(camera, default_atlas(), Deflection::Lut)
-        .map_err(lensbake_studies::gpu_chart::ChartError::Lens)?;
-    let contenders = contenders(&lens).map_err(lensbake_studies::gpu_chart::ChartError::Lens)?;
+    let lens = Lens::new(camera, default_atlas(), Deflection::Lut).map_err(ChartError::Lens)?;
+    let mut contenders = contenders(&lens).map_err(ChartError::Lens)?;
+    contenders.extend(falling(&view, default_atlas())?);
     let progress = Progress::new("measuring", steps(workload, contenders.len()));
     let step = || progress.step();
     let measured = measure(&renderer, &lens, &sky, contenders, workload, step);

@@ -1,4 +1,4 @@
-//! `viewer flicker`: compares the light of stars during an orbit, frame by frame, with the analytic light curve.
+//! `viewer flicker`: compares the light of stars during a flight, frame by frame, with the analytic light curve.
 
 use super::{CommandError, gpu};
 use crate::cli::FlickerArgs;
@@ -11,7 +11,7 @@ use lensbake_render::stars;
 use lensbake_studies::figure::drawing;
 use lensbake_studies::flicker::figure::Panels;
 use lensbake_studies::flicker::{
-    Orbit, Subject, Track, choose, closer_look, follow, point_on_gpu, report,
+    Flight, Subject, Track, choose, closer_look, follow, point_on_gpu, report,
 };
 use pollster::block_on;
 
@@ -19,7 +19,7 @@ pub fn run(args: &FlickerArgs) -> Result<Outcome, CommandError> {
     let folder = OutputFolder::new(&args.output)?;
     let (table, picture) = (folder.file("flicker.csv")?, folder.file("flicker.png")?);
     let mut printer = Printer::new(false);
-    let lenses = orbit(args).lenses()?;
+    let lenses = flight(args).lenses()?;
     let subjects = subjects(&lenses, args.stars)?;
     let gpu = gpu(args.device)?;
     let mut tracks = follow_all(subjects, &lenses, &mut printer)?;
@@ -44,11 +44,13 @@ pub fn run(args: &FlickerArgs) -> Result<Outcome, CommandError> {
     Ok(Outcome::Done)
 }
 
-fn orbit(args: &FlickerArgs) -> Orbit {
+fn flight(args: &FlickerArgs) -> Flight {
     let (width, height) = args.size;
-    Orbit {
+    Flight {
         view: View {
             radius: args.radius,
+            motion: args.motion,
+            yaw_deg: args.yaw,
             width,
             height,
             ..View::default()
