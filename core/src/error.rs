@@ -37,7 +37,7 @@ pub enum CoreError {
     /// The impact parameter is not a positive number.
     #[error("impact parameter {0} is not a positive finite number")]
     ImpactParameter(f64),
-    /// A finite radius is needed: an observer at infinity has no view angles.
+    /// The observer has no view angles: at infinity, or in the row frame at the horizon and below.
     #[error("an observer at infinity has an impact parameter, not a view angle")]
-    NoViewAngleAtInfinity,
+    NoViewAngle,
 }

@@ -185,7 +185,7 @@ impl MovingFrame {
                     Observer::falling(r)?
                 };
                 if base.is_at_infinity() {
-                    return Err(CoreError::NoViewAngleAtInfinity);
+                    return Err(CoreError::NoViewAngle);
                 }
                 Self::relative_to(base, radial, tangential)
             }

@@ -344,6 +344,12 @@ impl Observer {
         self.u == 0.0
     }
 
+    /// Whether it has view angles: neither the observer at infinity nor the limit [`Observer::in_row_frame`] at the horizon
+    /// and below has.
+    pub fn has_view_angles(&self) -> bool {
+        !self.is_at_infinity() && self.z_out > 0.0
+    }
+
     /// θ_c, the angle from the direction of the hole to the shadow boundary, in rad.
     pub fn shadow_angle(&self) -> f64 {
         2.0 * self.tan_half_shadow.atan()
@@ -410,13 +416,13 @@ impl Observer {
     /// The ray at the view angle `theta` from the direction of the hole, in [0, π] (rad).
     ///
     /// # Errors
-    /// [`CoreError::ViewAngle`] outside that range, [`CoreError::NoViewAngleAtInfinity`] at infinity.
+    /// [`CoreError::ViewAngle`] outside that range, [`CoreError::NoViewAngle`] unless [`Observer::has_view_angles`].
     pub fn ray(&self, theta: f64) -> Result<Ray, CoreError> {
         if !(0.0..=std::f64::consts::PI).contains(&theta) {
             return Err(CoreError::ViewAngle(theta));
         }
-        if self.is_at_infinity() {
-            return Err(CoreError::NoViewAngleAtInfinity);
+        if !self.has_view_angles() {
+            return Err(CoreError::NoViewAngle);
         }
         Ok(self.ray_with(self.shadow_coordinate(theta), theta))
     }
@@ -509,7 +515,7 @@ mod tests {
         }
         assert_eq!(
             Observer::at_infinity().ray(0.1),
-            Err(CoreError::NoViewAngleAtInfinity)
+            Err(CoreError::NoViewAngle)
         );
     }
 

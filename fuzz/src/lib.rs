@@ -64,6 +64,12 @@ pub fn exercise_table(table: &Table) {
             .into_iter()
             .chain([1.001, 1.5, 3.0, 1e6].map(|radius| Observer::at(radius).unwrap()))
             .collect(),
+        Rows::ThroughHorizon { above, below, .. } => [0, above - 1, above, above + below - 1]
+            .map(|row| header.observer(row))
+            .into_iter()
+            .chain([1.001, 3.0].map(|radius| Observer::at(radius).unwrap()))
+            .chain([3.0, 1.0, 0.5, 0.01].map(|radius| Observer::falling(radius).unwrap()))
+            .collect(),
     };
     for observer in observers {
         let Ok(row) = table.row(observer) else {

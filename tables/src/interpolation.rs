@@ -70,18 +70,18 @@ pub(crate) fn septic(texels: &[[f64; 2]], q: f64) -> Stored {
     let t = position - first as f64;
     // Newton's divided differences with each node twice; the difference of equal nodes is the slope.
     let node = |i: usize| (i / 2) as f64;
-    let mut table: [f64; 2 * NODES] = std::array::from_fn(|i| texels[first + i / 2][0]);
-    let mut coefficients = [table[0]; 2 * NODES];
-    for order in 1..2 * NODES {
+    let mut differences: [f64; 2 * NODES] = std::array::from_fn(|i| texels[first + i / 2][0]);
+    let mut coefficients = [differences[0]; 2 * NODES];
+    for (order, coefficient) in coefficients.iter_mut().enumerate().skip(1) {
         for i in 0..2 * NODES - order {
             let width = node(i + order) - node(i);
-            table[i] = if width == 0.0 {
+            differences[i] = if width == 0.0 {
                 texels[first + i / 2][1]
             } else {
-                (table[i + 1] - table[i]) / width
+                (differences[i + 1] - differences[i]) / width
             };
         }
-        coefficients[order] = table[0];
+        *coefficient = differences[0];
     }
     let (mut value, mut slope) = (0.0, 0.0);
     for (i, coefficient) in coefficients.iter().enumerate().rev() {

@@ -30,11 +30,17 @@ fn tables() {
     let near = Rows::One {
         inverse_radius: 0.1,
     };
+    let through = Rows::ThroughHorizon {
+        above: 4,
+        below: 4,
+        r_min: 0.1,
+    };
     let (b_min, b_max) = (2.7, 50.0);
     for (name, axis, rows, texels) in [
         ("far", Axis::Residual, far, 4),
         ("near", Axis::Residual, near, 16),
         ("atlas", Axis::Residual, Rows::Chi { count: 4 }, 5),
+        ("through", Axis::Residual, through, 4),
         ("b", Axis::UniformB { b_min, b_max }, far, 4),
         ("inverse-b", Axis::UniformInverseB { b_min, b_max }, far, 4),
         ("log-b", Axis::UniformLogB { b_min, b_max }, far, 4),

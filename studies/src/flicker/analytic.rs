@@ -102,7 +102,7 @@ pub struct ExactImage {
 /// difference. `beta` must be neither 0 nor π: there the image is an Einstein ring.
 ///
 /// # Errors
-/// [`CoreError::NoViewAngleAtInfinity`] for an observer at infinity.
+/// [`CoreError::NoViewAngle`] for an observer at infinity.
 pub fn exact_image(
     observer: &Observer,
     beta: f64,

@@ -77,7 +77,7 @@ impl InverseRow {
     /// relative error of 2e-4. For an observer in free fall from r = 0.01 to 100, θ is accurate to 2e-5 rad.
     ///
     /// # Errors
-    /// [`CoreError::NoViewAngleAtInfinity`] for the observer at infinity, who sees the hole as a point.
+    /// [`CoreError::NoViewAngle`] for the observer at infinity, who sees the hole as a point.
     pub fn new(row: &Row) -> Result<Self, CoreError> {
         Self::of(*row.observer(), |at| row.bend_and_slope(at))
     }
@@ -90,8 +90,8 @@ impl InverseRow {
         observer: Observer,
         bending: impl Fn(ShadowCoordinate) -> RayOutcome<BendAndSlope>,
     ) -> Result<Self, CoreError> {
-        if observer.is_at_infinity() {
-            return Err(CoreError::NoViewAngleAtInfinity);
+        if !observer.has_view_angles() {
+            return Err(CoreError::NoViewAngle);
         }
         let (centre, scale) = axis(&observer);
         let v = |sky_angle: f64| ((sky_angle - centre) / scale).asinh();
@@ -353,8 +353,11 @@ mod tests {
     }
 
     #[test]
-    fn the_observer_at_infinity_has_none() {
+    fn an_observer_without_view_angles_has_none() {
         let row = default_atlas().row(Observer::at_infinity()).unwrap();
-        assert_eq!(InverseRow::new(&row), Err(CoreError::NoViewAngleAtInfinity));
+        assert_eq!(InverseRow::new(&row), Err(CoreError::NoViewAngle));
+        let row_frame = Observer::falling(0.5).unwrap().in_row_frame();
+        let row = default_atlas().row(row_frame).unwrap();
+        assert_eq!(InverseRow::new(&row), Err(CoreError::NoViewAngle));
     }
 }
