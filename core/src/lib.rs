@@ -23,20 +23,24 @@
 //! The crate depends on no other crate of the project
 //! and contains nothing about files, tables or GPUs.
 
+mod boost;
 pub mod direct;
 mod error;
 pub mod exact;
 pub mod geodesic;
 mod motion;
+mod moving_frame;
 mod observer;
 mod ray;
 mod ray_outcome;
 pub mod rk4;
 pub mod series;
 
+pub use boost::Boost;
 pub use direct::BendAndSlope;
 pub use error::CoreError;
-pub use motion::{Boost, Motion, MovingFrame, ParseMotionError, UnboostedDirection};
+pub use motion::{Motion, ParseMotionError};
+pub use moving_frame::{MovingFrame, UnboostedDirection};
 pub use observer::{Observer, ShadowCoordinate};
 pub use ray::{Path, Ray};
 pub use ray_outcome::RayOutcome;

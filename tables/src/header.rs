@@ -2,7 +2,7 @@
 
 #[cfg(feature = "files")]
 use crate::text;
-use crate::{Axis, TableError};
+use crate::{Axis, Rows, TableError};
 use lensbake_core::Observer;
 #[cfg(feature = "files")]
 use serde::{Deserialize, Serialize};
@@ -24,47 +24,6 @@ pub struct Header {
     /// The error measured below the horizon, if there are rows on both sides of it.
     pub measured_below: Option<Measured>,
 }
-
-/// The observers that the rows are for.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "files", derive(Serialize, Deserialize))]
-pub enum Rows {
-    /// One row, for the observer at rest at 1/r; below the horizon for that of
-    /// [`Observer::in_row_frame`].
-    One {
-        /// 1/r; 0 is the observer at infinity.
-        inverse_radius: f64,
-    },
-    /// Rows uniform in χ, 1/r = sin²χ, from χ = 0 (r = ∞) to π/2 (the horizon), both included.
-    Chi {
-        /// Number of rows, at least 4.
-        count: u32,
-    },
-    /// Rows as with [`Rows::Chi`], followed by rows uniform in ln(1/r), from the horizon to `r_min`, both included, for
-    /// the observers of [`Observer::in_row_frame`].
-    ThroughHorizon {
-        /// Number of rows above the horizon, at least 4.
-        above: u32,
-        /// Number of rows below, at least 4.
-        below: u32,
-        /// Radius of the last row.
-        r_min: f64,
-    },
-}
-
-impl Rows {
-    /// Number of rows.
-    pub fn count(self) -> u32 {
-        match self {
-            Rows::One { .. } => 1,
-            Rows::Chi { count } => count,
-            Rows::ThroughHorizon { above, below, .. } => above.saturating_add(below),
-        }
-    }
-}
-
-/// Smallest radius of a row. Rows below 0.01 are valid, but have larger errors than those above it.
-const R_MIN: f64 = 1e-3;
 
 /// How the texels were computed.
 #[derive(Debug, Clone, PartialEq)]
@@ -119,6 +78,9 @@ const ROWS: (u64, u64) = (4, 1 << 12);
 pub(crate) const MAX_TEXELS: u64 = 1 << 22;
 /// Most bytes of a solver's name; this limit ensures that every header fits into a binary file.
 pub(crate) const MAX_SOLVER_NAME: usize = 4016;
+
+/// Smallest radius of a row. Rows below 0.01 are valid, but have larger errors than those above it.
+const R_MIN: f64 = 1e-3;
 
 const UNITS: &str = "r_s = 1 (2GM = 1), c = 1; angles and texels in radians";
 

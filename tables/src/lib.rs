@@ -36,6 +36,7 @@ pub mod mirror;
 #[cfg(feature = "files")]
 pub mod panics;
 mod row;
+mod rows;
 pub mod statistics;
 mod table;
 #[cfg(feature = "files")]
@@ -46,8 +47,9 @@ pub use axis::{Axis, Stored};
 pub use error::TableError;
 #[cfg(feature = "files")]
 pub use error::{ContainerError, Problem};
-pub use header::{Field, Header, Measured, Rows, Solver};
+pub use header::{Field, Header, Measured, Solver};
 pub use interpolation::Interpolation;
 pub use inverse::InverseRow;
 pub use row::Row;
+pub use rows::Rows;
 pub use table::{Table, Texel};

@@ -18,6 +18,7 @@ mod csv;
 pub mod draw;
 mod error;
 mod field;
+mod frustum;
 mod hipparcos;
 pub mod image_bounds;
 pub mod images;

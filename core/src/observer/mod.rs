@@ -27,38 +27,14 @@
 //! frame). z_out > 0 is the only parameter of the motion, so one set of formulae serves every radial motion from
 //! infinity to the singularity.
 
-use crate::{B_CRIT, BendAndSlope, CoreError, MAX_DISTANCE, MIN_RADIUS, Ray, U_PHOTON};
+mod place;
+mod rays;
+mod shadow_coordinate;
 
-/// Low-order part of b_c: the f64 nearest to b_c − [`B_CRIT`]. With it, b − b_c keeps full precision.
-const B_CRIT_REST: f64 = -7.151_834_159_792_777e-17;
+pub use shadow_coordinate::ShadowCoordinate;
 
-/// The normalised shadow coordinate x of a view direction, together with 1 − x, each to full relative accuracy.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ShadowCoordinate {
-    /// x = tan(θ_c/2) / tan(θ/2).
-    pub x: f64,
-    /// 1 − x: positive outside the shadow, zero or negative inside.
-    pub one_minus_x: f64,
-}
-
-impl ShadowCoordinate {
-    /// The coordinate x = 1 − s².
-    pub fn from_s(s: f64) -> Self {
-        ShadowCoordinate {
-            x: (1.0 - s) * (1.0 + s),
-            one_minus_x: s * s,
-        }
-    }
-
-    /// The coordinate x = b_c/b of the impact parameter `b`, for an observer at infinity. It is accurate even at
-    /// the f64 values of b next to b_c, on either side.
-    pub fn from_b(b: f64) -> Self {
-        ShadowCoordinate {
-            x: B_CRIT / b,
-            one_minus_x: ((b - B_CRIT) - B_CRIT_REST) / b,
-        }
-    }
-}
+use crate::{B_CRIT, CoreError, MAX_DISTANCE, MIN_RADIUS, U_PHOTON};
+use place::{Place, Redshift};
 
 /// An observer at areal radius r who is at rest or moves radially.
 ///
@@ -87,60 +63,6 @@ pub struct Observer {
     one_plus_cos_shadow: f64,
     one_minus_cos_shadow: f64,
     tan_half_shadow: f64,
-}
-
-/// u, w = 2/3 − u and 1 − u of a radius, each to full relative accuracy.
-#[derive(Debug, Clone, Copy)]
-struct Place {
-    u: f64,
-    w: f64,
-    one_minus_u: f64,
-    /// √(1 − u), 0 at and below the horizon.
-    lapse: f64,
-}
-
-impl Place {
-    /// The place at radius `r`.
-    fn at(r: f64) -> Self {
-        let one_minus_u = (r - 1.0) / r;
-        Place {
-            u: 1.0 / r,
-            w: (2.0 * r - 3.0) / (3.0 * r),
-            one_minus_u,
-            lapse: one_minus_u.max(0.0).sqrt(),
-        }
-    }
-
-    const INFINITY: Place = Place {
-        u: 0.0,
-        w: U_PHOTON,
-        one_minus_u: 1.0,
-        lapse: 1.0,
-    };
-}
-
-/// A radial motion: z_out and (1 − z_out)/u.
-#[derive(Debug, Clone, Copy)]
-struct Redshift {
-    z_out: f64,
-    gain_out: f64,
-}
-
-impl Redshift {
-    fn at_rest(place: Place) -> Self {
-        Redshift {
-            z_out: place.lapse,
-            gain_out: 1.0 / (1.0 + place.lapse),
-        }
-    }
-
-    fn in_fall(place: Place) -> Self {
-        let speed = place.u.sqrt();
-        Redshift {
-            z_out: 1.0 + speed,
-            gain_out: -1.0 / speed,
-        }
-    }
 }
 
 fn check_distance(r: f64) -> Result<(), CoreError> {
@@ -388,82 +310,12 @@ impl Observer {
     pub fn view_angle_slope(&self, x: f64) -> f64 {
         -2.0 / (x * x / self.tan_half_shadow + self.tan_half_shadow)
     }
-
-    /// dΔ/dx at x = 0, straight away from the hole, where b → 0 and Δ → (π − θ) (1/z_out − 1).
-    pub fn bend_slope_away(&self) -> f64 {
-        if self.cos_shadow >= 0.0 {
-            2.0 * self.one_plus_cos_shadow * self.gain_out / (B_CRIT * self.one_minus_u)
-        } else {
-            2.0 * B_CRIT * self.u.powi(2) * self.gain_out / self.one_minus_cos_shadow
-        }
-    }
-
-    /// The bending and dΔ/dx near the direction straight away from the hole, with a relative error of 1e-13. There
-    /// Δ is proportional to x, whereas integrals and tables compute it as a difference of larger numbers. `None`
-    /// in other directions, and for the observer at infinity, who has no such direction.
-    pub fn bend_straight_away(&self, at: ShadowCoordinate) -> Option<BendAndSlope> {
-        // Bound on x and on tan((π − θ)/2) = x / tan(θ_c/2), the angle from the outward direction.
-        const NEAR: f64 = 1e-7;
-        let slope = self.bend_slope_away();
-        (at.x <= NEAR * self.tan_half_shadow.min(1.0) && !self.is_at_infinity()).then_some(
-            BendAndSlope {
-                bend: slope * at.x,
-                slope,
-            },
-        )
-    }
-
-    /// The ray at the view angle `theta` from the direction of the hole, in [0, π] (rad).
-    ///
-    /// # Errors
-    /// [`CoreError::ViewAngle`] outside that range, [`CoreError::NoViewAngle`] unless [`Observer::has_view_angles`].
-    pub fn ray(&self, theta: f64) -> Result<Ray, CoreError> {
-        if !(0.0..=std::f64::consts::PI).contains(&theta) {
-            return Err(CoreError::ViewAngle(theta));
-        }
-        if !self.has_view_angles() {
-            return Err(CoreError::NoViewAngle);
-        }
-        Ok(self.ray_with(self.shadow_coordinate(theta), theta))
-    }
-
-    /// The ray at the normalised shadow coordinate `at`. It keeps full accuracy however close it is to the shadow
-    /// boundary.
-    pub fn ray_at(&self, at: ShadowCoordinate) -> Ray {
-        self.ray_with(at, self.view_angle(at.x))
-    }
-
-    fn ray_with(&self, at: ShadowCoordinate, theta: f64) -> Ray {
-        let ShadowCoordinate { x, one_minus_x } = at;
-        let (plus, minus) = (self.one_plus_cos_shadow, self.one_minus_cos_shadow);
-        let b_crit_over_b = 0.5 * (plus * x + minus / x);
-        // 1 − b_c/b, rewritten in 1 − x so that it keeps its accuracy at the shadow boundary.
-        let below_critical = one_minus_x * (self.cos_shadow - 0.5 * minus * one_minus_x / x);
-        let cos_theta = {
-            let numerator = if one_minus_x < 0.5 {
-                2.0 * self.cos_shadow - plus * one_minus_x * (1.0 + x)
-            } else {
-                plus * x * x - minus
-            };
-            numerator / (plus * x * x + minus)
-        };
-        let inv_b = b_crit_over_b / B_CRIT;
-        Ray {
-            u: self.u,
-            w: self.w,
-            theta,
-            x,
-            captured: one_minus_x <= 0.0,
-            inv_b,
-            du_dphi: inv_b * cos_theta,
-            kappa: 4.0 / 27.0 * below_critical * (1.0 + b_crit_over_b),
-        }
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Ray;
 
     #[test]
     fn the_shadow_has_its_known_radius() {
@@ -478,13 +330,6 @@ mod tests {
         }
         let at_photon_sphere = Observer::at(1.5).unwrap().shadow_angle();
         assert!((at_photon_sphere - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
-    }
-
-    /// b_c = 2.598 076 211 353 315 94… lies between two adjacent f64 values.
-    #[test]
-    fn the_edge_lies_between_two_impact_parameters() {
-        assert!(ShadowCoordinate::from_b(B_CRIT).one_minus_x > 0.0);
-        assert!(ShadowCoordinate::from_b(B_CRIT.next_down()).one_minus_x < 0.0);
     }
 
     #[test]
