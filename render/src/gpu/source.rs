@@ -211,7 +211,11 @@ impl PipelineKey {
     /// The WGSL source.
     pub fn source(self) -> String {
         let mut modules = self.modules();
-        let keep = if self.stars { "keep_stars" } else { "keep_sky" };
+        let keep = match (self.stars, self.shift) {
+            (true, _) => "keep_stars",
+            (false, Shift::Off) => "keep_sky",
+            (false, _) => "keep_shifted",
+        };
         modules.define("keep", alias_module(keep));
         modules.define(
             "output",

@@ -45,6 +45,7 @@ const FILES: &[(&str, &str)] = files![
     "footprint",
     "frequency_shift",
     "inverse_lens",
+    "keep_shifted",
     "keep_sky",
     "keep_stars",
     "kernel",
