@@ -31,6 +31,23 @@ fn a_short_orbit_of_few_stars_is_measured_and_drawn() {
 }
 
 #[test]
+fn a_fall_and_an_orbit_are_measured_with_their_brightness() {
+    let folder = tempfile::tempdir().unwrap();
+    let few = ["--frames", "16", "--stars", "2", "--size", "160x90"];
+    for motion in [
+        ["fall", "-r", "6", "--yaw", "90"],
+        ["orbit", "-r", "6", "--yaw", "50"],
+    ] {
+        let output = folder.path().join(motion[0]);
+        let start = ["flicker", "--device", "cpu", "-o", output.to_str().unwrap()];
+        let args = [&start[..], &few[..], &["--motion"][..], &motion[..]].concat();
+        let run = VIEWER.run(&args).succeeds();
+        assert_eq!(run.stdout.lines().count(), 2 + 2, "{run:?}");
+        assert!(output.join("flicker.png").is_file());
+    }
+}
+
+#[test]
 fn what_cannot_be_measured_is_refused_in_one_line_and_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let output = folder.path().join("new");
@@ -41,6 +58,7 @@ fn what_cannot_be_measured_is_refused_in_one_line_and_leaves_nothing() {
     };
     flicker(&["-r", "1"]).refuses(&["radius", "greater than 1"]);
     flicker(&["-r", "NaN"]).refuses(&["radius"]);
+    flicker(&["-r", "1.4", "--motion", "orbit"]).refuses(&["no circular orbit", "1.5"]);
     flicker(&["--size", "0x9"]).refuses(&["0x9"]);
     flicker(&["--frames", "0"]).refuses(&["--frames"]);
     flicker(&["--stars", "0"]).refuses(&["--stars"]);
