@@ -50,9 +50,11 @@ pub enum Command {
     /// its largest error is smaller, it is faster by more than the noise of the run, and it needs no more bytes
     /// per frame.
     Chart(ChartArgs),
-    /// Try every method in every regime: at the shadow's edge, at the horizon, with no ray at all.
+    /// Try every method in every regime: at the shadow's edge, at the horizon and below, in fast motion, with no ray
+    /// at all.
     ///
-    /// Writes atlas.csv, and the atlas as SVG and PNG. Exit code 1 if one of this project's own methods is wrong,
+    /// Writes atlas.csv, and as SVG and PNG atlas (observers at rest) and atlas-motion (observers in motion). Exit
+    /// code 1 if one of this project's own methods is wrong (below the horizon, the table by more than it promises),
     /// or answers an input that is not a ray instead of refusing it.
     Stability(StabilityArgs),
 }
@@ -157,7 +159,18 @@ pub struct QueryArgs {
 pub struct DiffArgs {
     /// The table [default: the built-in atlas].
     pub file: Option<PathBuf>,
-    /// Number of random rays off the nodes; half of them crowd the shadow's edge.
+    /// How the observers of the rays move: `rest`, `fall` (freely, from rest at infinity; half of them below the
+    /// horizon), `orbit` (circular, r > 1.5), or a velocity BR,BT in units of c relative to the observer at rest:
+    /// radial (positive outwards) and tangential.
+    #[arg(
+        long,
+        value_name = "rest|fall|orbit|BR,BT",
+        default_value = "rest",
+        allow_hyphen_values = true
+    )]
+    pub motion: Motion,
+    /// Number of random rays off the nodes; half of them crowd the shadow's edge, the others fill the sky outside it
+    /// as the observer sees it.
     #[arg(long, value_name = "N", default_value_t = 100_000,
           value_parser = clap::value_parser!(u32).range(1..=100_000_000))]
     pub rays: u32,
@@ -167,10 +180,15 @@ pub struct DiffArgs {
     /// Error tolerance of the direct integrator, in rad per radian of orbital angle.
     #[arg(long, value_name = "RAD", default_value_t = 1e-11, value_parser = tolerance)]
     pub tolerance: f64,
-    /// Largest error allowed against the closed form, in rad; above it the exit code is 1.
+    /// Largest error allowed against the closed form, in rad; above it, or if the outcome of any ray differs, the exit
+    /// code is 1.
     #[arg(long, value_name = "RAD", default_value_t = 2e-6, value_parser = positive)]
     pub budget: f64,
-    /// Largest image-space error allowed, in pixels; above it the exit code is 1.
+    /// The same for observers in motion below r = 0.1.
+    #[arg(long, value_name = "RAD", default_value_t = 3e-5, value_parser = positive)]
+    pub budget_deep: f64,
+    /// Largest image-space error allowed, in pixels, of observers in motion down to r = 0.1; above it the exit code
+    /// is 1.
     #[arg(long, value_name = "PX", default_value_t = 0.002, value_parser = positive)]
     pub budget_px: f64,
     /// Width of the picture whose pixels are the unit of image-space errors.
@@ -180,8 +198,8 @@ pub struct DiffArgs {
     /// Horizontal field of view of that picture, in degrees, between 0 and 180.
     #[arg(long, value_name = "DEG", default_value_t = 90.0, value_parser = field_of_view)]
     pub fov: f64,
-    /// Write one line per ray to this CSV file. With - it goes to standard output, and the report to standard
-    /// error.
+    /// Write one line per ray to this CSV file, with angles in the observer's own frame. With - it goes to standard
+    /// output, and the report to standard error.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
     /// Draw the error along the row to this SVG file; - as for --csv.

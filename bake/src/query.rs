@@ -186,7 +186,7 @@ impl<'a> Answers<'a> {
         Ok(bend.map(|bend| question.sky_point(bend)))
     }
 
-    /// The bending by the row of the observer's row frame; the difference of the view angles is exact.
+    /// The bending by the row of the observer's row frame.
     fn look_up(&mut self, table: &Table, ray: ObservedRay) -> Result<RayOutcome, TableError> {
         table.header().axis.check_reach(ray.at)?;
         let row_frame = ray.observer.in_row_frame();
@@ -194,13 +194,9 @@ impl<'a> Answers<'a> {
             Some(row) if *row.observer() == row_frame => row,
             _ => table.row(row_frame)?,
         };
-        let bend = row.bend(ray.at);
+        let bend = row.bend_for(&ray.observer, ray.at);
         self.row = Some(row);
-        if ray.observer.is_at_rest() {
-            return Ok(bend);
-        }
-        let aberration = |x| ray.observer.view_angle(x) - row_frame.view_angle(x);
-        Ok(bend.map(|bend| bend + aberration(ray.at.x)))
+        Ok(bend)
     }
 }
 

@@ -44,8 +44,15 @@ fn the_atlas_of_stability_is_the_recorded_size_and_the_product_passes() {
     let csv = fs::read_to_string(directory.path().join("atlas.csv")).unwrap();
     let recorded = include_str!("../../docs/stability/atlas.csv");
     assert_eq!(csv.lines().count(), recorded.lines().count());
-    assert!(directory.path().join("atlas.png").exists());
-    assert!(directory.path().join("atlas.svg").exists());
+    for (name, regime) in [
+        ("atlas", "b from infinity"),
+        ("atlas-motion", "free fall through the horizon"),
+    ] {
+        let stem = directory.path().join(name);
+        let svg = fs::read_to_string(stem.with_extension("svg")).unwrap();
+        assert!(svg.contains(regime), "{name}");
+        assert!(fs::read(stem.with_extension("png")).unwrap().len() > 10_000);
+    }
 }
 
 #[test]

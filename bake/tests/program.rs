@@ -140,7 +140,7 @@ fn bake_writes_the_same_bytes_for_any_number_of_threads_and_both_containers() {
         let run = BAKE.run(&["--threads", threads, "-o", &file]).succeeds();
         assert!(run.stdout.is_empty(), "{run:?}");
         assert!(
-            run.stderr.contains("baked 128 x 64 texels (64.0 KiB) in"),
+            run.stderr.contains("baked 192 x 64 texels (96.0 KiB) in"),
             "{run:?}"
         );
         std::fs::read(file).unwrap()
@@ -180,7 +180,7 @@ fn convert_keeps_a_solver_name_of_any_letters() {
 #[test]
 fn the_exr_table_opens_as_a_picture() {
     let picture = image::load_from_memory(ATLAS_EXR).unwrap().into_rgb32f();
-    assert_eq!(picture.dimensions(), (64, 128));
+    assert_eq!(picture.dimensions(), (64, 192));
     let table = container::from_bytes(ATLAS_BINARY).unwrap();
     for (pixel, texel) in picture.pixels().zip(table.texels()) {
         assert_eq!([pixel.0[0], pixel.0[1]], *texel);
@@ -213,17 +213,8 @@ fn inspect_shows_the_header() {
 }
 
 #[test]
-fn diff_states_both_units_and_ends_with_1_over_budget() {
+fn a_table_above_its_budget_is_not_written() {
     let folder = folder();
-    let (csv, plot) = (path(&folder, "d.csv"), path(&folder, "d.svg"));
-    let args = ["diff", "--rays", "3000", "--csv", &csv, "--plot", &plot];
-    let run = BAKE.run(&args).succeeds();
-    assert_eq!(run.stdout.lines().count(), 7, "{}", run.stdout);
-    assert_eq!(std::fs::read_to_string(csv).unwrap().lines().count(), 3001);
-    assert!(std::fs::read_to_string(plot).unwrap().starts_with("<svg"));
-    let missed = BAKE.run(&["diff", "--rays", "3000", "--budget", "1e-9"]);
-    assert_eq!(missed.code, 1, "{missed:?}");
-    assert_eq!(missed.stderr.lines().count(), 1);
     let missed = BAKE.run(&["--budget", "1e-12", "-o", &path(&folder, "never.lbt")]);
     assert_eq!(missed.code, 1, "{missed:?}");
     assert!(!folder.path().join("never.lbt").exists());
@@ -313,7 +304,7 @@ fn a_row_for_one_observer_refuses_another() {
 #[test]
 fn typos_are_told_with_a_hint() {
     for (args, word) in [
-        (["--observer", "0.5"], "greater than 1"),
+        (["--observer", "1e-7"], "1e-6 to infinity"),
         (["--tolerance", "2"], "1e-13 to 1e-2"),
     ] {
         BAKE.run(&args).refuses(&[args[0], word]);

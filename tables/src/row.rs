@@ -140,11 +140,12 @@ impl Row {
     }
 
     /// The bending Δ at the normalised shadow coordinate `at` for `observer`, who may be in any radial motion at the
-    /// radius of this row, rad. For the row of [`Observer::in_row_frame`], to whose bending the exact difference of the
-    /// two view angles is added: more accurate than the row that [`crate::Table::row`] makes for the motion.
+    /// radius of this row, rad: that of the row's own observer and the exact difference of the two view angles. With
+    /// the row of [`Observer::in_row_frame`] it is more accurate than the row that [`crate::Table::row`] makes for the
+    /// motion.
     pub fn bend_for(&self, observer: &Observer, at: ShadowCoordinate) -> RayOutcome {
         let bend = self.bend(at);
-        if observer.is_at_rest() {
+        if observer.is_at_rest() && self.observer.is_at_rest() {
             return bend;
         }
         let aberration = observer.view_angle(at.x) - self.observer.view_angle(at.x);

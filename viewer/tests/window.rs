@@ -4,7 +4,7 @@
 use lensbake_test_support::Program;
 use lensbake_test_support::desktop::{Desktop, Shot, WindowedProgram};
 use std::path::Path;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 const VIEWER: &str = env!("CARGO_BIN_EXE_viewer");
 const SIZE: &str = "640x360";
@@ -194,6 +194,95 @@ fn the_keys_look_away_and_approach_but_not_through_the_horizon() {
     window.hold("Up", Duration::from_millis(300));
     window.shows("black", |shot| shot.pixels.iter().all(|p| *p == [0; 3]));
     assert_eq!(radius(&window.title()), 1.01);
+}
+
+/// Proper time of the fall from a radius to the singularity, r_s/c.
+fn fall_time(radius: f64) -> f64 {
+    2.0 / 3.0 * radius.powf(1.5)
+}
+
+#[test]
+#[cfg_attr(any(feature = "no-gpu", feature = "no-window"), ignore)]
+fn the_camera_lets_go_and_falls_through_the_horizon_to_the_end_on_time() {
+    /// Proper time per second that the window starts with, r_s/c.
+    const PACE: f64 = 0.5;
+    /// Longest delay on a busy machine: shaders compile on the way.
+    const LATE: Duration = Duration::from_secs(6);
+    let folder = tempfile::tempdir().unwrap();
+    let desktop = Desktop::new(1280, 800);
+    let args = ["--radius", "3", "-s", "grid"];
+    let (mut window, start) = open(&desktop, folder.path(), &args);
+    assert!(window.title().contains("r = 3.00 – at rest"));
+    let due = Duration::from_secs_f64((fall_time(3.0) - fall_time(0.01)) / PACE);
+
+    let began = Instant::now();
+    window.press(&["g"]);
+    // The title bar's radius: never ahead of the law. The title is rounded.
+    let falls = |window: &WindowedProgram| {
+        let title = window.title();
+        let left = fall_time(3.0) - PACE * began.elapsed().as_secs_f64();
+        let law = (1.5 * left.max(0.0)).powf(2.0 / 3.0);
+        assert!(radius(&title) > law - 0.006, "{title}: ahead of {law}");
+        title
+    };
+    window.until("it falls", |w| falls(w).contains("– falling").then_some(()));
+    for (key, says) in [("l", "– no deflection –"), ("l", "– table –")] {
+        window.press(&[key]);
+        window.until(says, |w| falls(w).contains(says).then_some(()));
+    }
+    window.hold("d", Duration::from_millis(200));
+    window.press(&["equal", "comma", "period"]);
+    window.until("the horizon", |w| (radius(&falls(w)) < 1.0).then_some(()));
+    window.press(&["l"]);
+    window.until("the end", |w| falls(w).contains("– the end").then_some(()));
+    let took = began.elapsed();
+    assert!(due < took && took < due + LATE, "{took:?}, due {due:?}");
+    window.until("the key below the horizon", |w| {
+        w.title().contains("– no deflection –").then_some(())
+    });
+    window.at_rest();
+    assert_eq!(radius(&window.title()), 0.01);
+
+    window.press(&["t"]);
+    window.until("where it let go", |w| {
+        w.title().contains("r = 3.00 – at rest").then_some(())
+    });
+    window.press(&["Home"]);
+    window.shows("the start", |shot| alike(shot, &start));
+}
+
+#[test]
+#[cfg_attr(any(feature = "no-gpu", feature = "no-window"), ignore)]
+fn observers_in_motion_are_shown_as_the_headless_program_draws_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let desktop = Desktop::new(1280, 800);
+    let inside = ["--motion", "fall", "-r", "0.5", "--yaw", "90"];
+    let orbit = ["--motion", "orbit", "-r", "3", "--heading", "30"];
+    let velocity = ["--motion=-0.3,0.5", "-r", "2", "--yaw", "60"];
+    for (args, name) in [
+        (&inside[..], "r = 0.50 – free fall"),
+        (&orbit[..], "r = 3.00 – circular orbit"),
+        (&velocity[..], "r = 2.00 – velocity -0.3,0.5"),
+    ] {
+        let args = [args, &["--shift", "brightness"]].concat();
+        let (window, start) = open(&desktop, folder, &args);
+        same(
+            &start,
+            &rendered(folder, &[&args[..], &["--exposure", "auto"]].concat()),
+        );
+        assert!(window.title().ends_with(name), "{}", window.title());
+    }
+
+    let (mut window, start) = open(&desktop, folder, &orbit);
+    window.press_until("r", "– true period");
+    window.shows("it orbits", |shot| !alike(shot, &start));
+    window.press(&["r"]);
+    window.until("it stands", |w| w.title().ends_with("orbit").then_some(()));
+    window.at_rest();
+    for name in ["– at rest –", "– free fall", "– circular orbit"] {
+        window.press_until("o", name);
+    }
 }
 
 #[test]

@@ -9,6 +9,7 @@ pub mod query;
 pub mod stability;
 
 use ::bake::query::QuestionError;
+use lensbake_core::{CoreError, Motion};
 use lensbake_program::PrintError;
 use lensbake_program::output::{Output, OutputError, OutputFolder};
 use lensbake_studies::figure::drawing::{self, DrawError, Figure};
@@ -35,6 +36,14 @@ pub enum CommandError {
         path: PathBuf,
         /// What is wrong.
         problem: TableError,
+    },
+    /// Nobody can move as `--motion` says at the radius of the table's row.
+    #[error("--motion {motion}: {problem}")]
+    Motion {
+        /// The motion.
+        motion: Motion,
+        /// What is wrong.
+        problem: CoreError,
     },
     /// A line of standard input is not a question.
     #[error("standard input, line {line}: {problem}")]

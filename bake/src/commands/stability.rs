@@ -10,12 +10,17 @@ use lensbake_studies::stability::{atlas, csv, regimes};
 pub fn run(args: &StabilityArgs) -> Result<Outcome, CommandError> {
     let folder = OutputFolder::new(&args.output)?;
     let table = folder.file("atlas.csv")?;
-    let figure = FigureFiles::new(&folder, "atlas")?;
+    let at_rest = FigureFiles::new(&folder, "atlas")?;
+    let in_motion = FigureFiles::new(&folder, "atlas-motion")?;
     let progress = Progress::new("trying", regimes().len() as u64);
     let atlas = atlas(|| progress.step())?;
     progress.finish();
     table.write(csv::text(&atlas).as_bytes())?;
-    figure.write(&HeatMap { atlas: &atlas })?;
+    for (figure, observers, moves) in [(at_rest, "at rest", false), (in_motion, "in motion", true)]
+    {
+        let atlas = &atlas.part(moves);
+        figure.write(&HeatMap { atlas, observers })?;
+    }
     message!(
         "{} methods in {} regimes, wrote {}",
         atlas.columns.len(),

@@ -11,6 +11,8 @@ use std::error::Error;
 pub struct HeatMap<'a> {
     /// The atlas.
     pub atlas: &'a Atlas,
+    /// Whose regimes they are, for the title: "at rest", for example.
+    pub observers: &'static str,
 }
 
 const LEFT: i32 = 430;
@@ -74,8 +76,10 @@ impl Figure for HeatMap<'_> {
     {
         area.fill(&WHITE)?;
         let layout = self.layout();
-        let title = "Where methods fail: this project's own in red, the others beside them";
+        let title = format!("Where methods fail for observers {}", self.observers);
         area.draw(&Text::new(title, (MARGIN, 24), text(38)))?;
+        let colours = "this project's own methods in red, the others beside them";
+        area.draw(&Text::new(colours, (MARGIN, 70), text(22)))?;
         self.draw_heads(area, &layout)?;
         self.draw_names(area, &layout)?;
         for (line, &y) in self.atlas.lines.iter().zip(&layout.lines) {
@@ -238,9 +242,18 @@ mod tests {
             }],
             columns,
         };
-        let map = HeatMap { atlas: &atlas };
+        let map = HeatMap {
+            atlas: &atlas,
+            observers: "at rest",
+        };
         let text = svg(&map).unwrap();
-        for word in ["a group", "a regime", "lensbake default row", "wrong"] {
+        for word in [
+            "at rest",
+            "a group",
+            "a regime",
+            "lensbake default row",
+            "wrong",
+        ] {
             assert!(text.contains(word), "{word}");
         }
         assert!(png(&map).unwrap().starts_with(b"\x89PNG"));

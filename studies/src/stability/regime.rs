@@ -1,8 +1,9 @@
 //! The regimes and the true outcome of each, computed by `docs/stability/reference.py`: the closed form to 60
 //! digits, from exactly the f64 numbers that the methods get.
 
+use super::in_motion::{Direction, InMotion};
 use crate::methods::InitialConditions;
-use lensbake_core::{Observer, ShadowCoordinate};
+use lensbake_core::{Motion, Observer, ShadowCoordinate};
 use lensbake_tables::baking::ObservedRay;
 
 const REGIMES: &str = include_str!("../../data/regimes.csv");
@@ -26,6 +27,20 @@ pub enum Input {
         /// View angle, rad.
         theta: f64,
     },
+    /// An observer in motion, and a direction.
+    InMotion(InMotion),
+}
+
+/// What the methods get for an input.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trial {
+    /// The observer whose rows the tables hold.
+    pub observer: Observer,
+    /// The initial conditions of the ray, as this observer sees it.
+    pub initial: InitialConditions,
+    /// What has to be added to a bending, rad: the view angle in the frame of the regime's observer minus that in the
+    /// frame of [`Trial::observer`].
+    pub aberration: f64,
 }
 
 /// The true outcome of a regime's ray.
@@ -59,20 +74,33 @@ pub fn regimes() -> Vec<Regime> {
 
 fn regime(line: &'static str) -> Option<Regime> {
     let fields: Vec<&'static str> = line.split(';').collect();
-    let [group, name, kind, first, second, truth] = fields[..] else {
+    let [group, name, kind, motion, first, second, azimuth, truth] = fields[..] else {
         return None;
     };
-    let (first, second): (f64, f64) = (first.parse().ok()?, second.parse().ok()?);
-    let input = match kind {
-        "b" => Input::FromInfinity(first),
-        "edge" => Input::AtEdge {
+    let motion: Motion = motion.parse().ok()?;
+    let [first, second, azimuth]: [f64; 3] = parsed([first, second, azimuth])?;
+    let in_motion = |direction| {
+        Input::InMotion(InMotion {
+            motion,
+            r: first,
+            direction,
+        })
+    };
+    let input = match (kind, motion) {
+        ("b", Motion::Rest) => Input::FromInfinity(first),
+        ("edge", Motion::Rest) => Input::AtEdge {
             r: first,
             gap: second,
         },
-        "view" => Input::View {
+        ("view", Motion::Rest) => Input::View {
             r: first,
             theta: second,
         },
+        ("edge", Motion::Fall) => in_motion(Direction::AtEdge { gap: second }),
+        ("view", _) => in_motion(Direction::View {
+            theta: second,
+            azimuth,
+        }),
         _ => return None,
     };
     let truth = match truth {
@@ -88,39 +116,62 @@ fn regime(line: &'static str) -> Option<Regime> {
     })
 }
 
+fn parsed<const N: usize>(texts: [&str; N]) -> Option<[f64; N]> {
+    let numbers: Option<Vec<f64>> = texts.iter().map(|text| text.parse().ok()).collect();
+    numbers?.try_into().ok()
+}
+
 impl Regime {
     /// Group and name in one string.
     pub fn title(&self) -> String {
         format!("{}: {}", self.group, self.name)
     }
+
+    /// Whether the observer is in motion.
+    pub fn is_in_motion(&self) -> bool {
+        matches!(self.input, Input::InMotion(_))
+    }
 }
 
 impl Input {
-    /// The observer. If none exists at that radius, one at a finite radius takes its place, so that the methods
-    /// that serve finite observers are tried.
-    pub fn observer(self) -> Observer {
-        let stand_in = || Observer::at(10.0).unwrap_or(Observer::at_infinity());
-        match self {
-            Input::FromInfinity(_) => Observer::at_infinity(),
-            Input::AtEdge { r, .. } | Input::View { r, .. } => {
-                Observer::at(r).unwrap_or_else(|_| stand_in())
+    /// What the methods get.
+    pub fn trial(self) -> Trial {
+        let (observer, initial) = match self {
+            Input::FromInfinity(b) => {
+                let initial = InitialConditions::from_infinity(b);
+                (Observer::at_infinity(), initial)
             }
+            Input::AtEdge { r, gap } => {
+                let observer = at_rest(r);
+                let at = at_edge(gap);
+                (
+                    observer,
+                    InitialConditions::of(&ObservedRay { observer, at }),
+                )
+            }
+            Input::View { r, theta } => (at_rest(r), InitialConditions::from_view(r, theta)),
+            Input::InMotion(input) => return input.trial(),
+        };
+        Trial {
+            observer,
+            initial,
+            aberration: 0.0,
         }
     }
+}
 
-    /// The initial conditions for this input.
-    pub fn initial(self) -> InitialConditions {
-        match self {
-            Input::FromInfinity(b) => InitialConditions::from_infinity(b),
-            Input::AtEdge { gap, .. } => InitialConditions::of(&ObservedRay {
-                observer: self.observer(),
-                at: ShadowCoordinate {
-                    x: 1.0 - gap,
-                    one_minus_x: gap,
-                },
-            }),
-            Input::View { r, theta } => InitialConditions::from_view(r, theta),
-        }
+/// The observer at rest at `r`. If none exists there, one at a finite radius takes its place, so that the methods that
+/// serve finite observers are tried.
+pub(super) fn at_rest(r: f64) -> Observer {
+    let stand_in = || Observer::at(10.0).unwrap_or(Observer::at_infinity());
+    Observer::at(r).unwrap_or_else(|_| stand_in())
+}
+
+/// The normalised shadow coordinate x = 1 − `gap`.
+pub(super) fn at_edge(gap: f64) -> ShadowCoordinate {
+    ShadowCoordinate {
+        x: 1.0 - gap,
+        one_minus_x: gap,
     }
 }
 

@@ -11,14 +11,39 @@ const FLOOR: f64 = 1e-11;
 /// Number of bins of 1 − x; the largest error in each is drawn.
 const BINS: usize = 120;
 
-/// An SVG figure: the largest |lookup − closed form| (rad) in each bin of 1 − x, log–log, and the budget.
+/// A line of the figure.
+#[derive(Debug, Clone)]
+pub struct Curve<'a> {
+    /// What is compared, for the legend.
+    pub name: String,
+    /// The rays.
+    pub diff: &'a Diff,
+    /// Largest error allowed, rad.
+    pub budget: f64,
+}
+
+const COLOURS: [RGBColor; 3] = [BLUE, RGBColor(26, 127, 55), RGBColor(191, 75, 138)];
+
+/// An SVG figure: for each of up to three curves the largest |lookup − closed form| (rad) in each bin of 1 − x,
+/// log–log; and the budgets.
 ///
 /// # Errors
 /// An error of the drawing library.
-pub fn error_figure(diff: &Diff, budget: f64, title: &str) -> Result<String, Box<dyn Error>> {
+pub fn error_figure(curves: &[Curve], title: &str) -> Result<String, Box<dyn Error>> {
     drawing::register_font();
-    let bins = largest_by_bin(diff);
-    let ceiling = bins.iter().fold(budget, |a, b| a.max(b.1)).min(1e3) * 3.0;
+    let bins: Vec<_> = curves
+        .iter()
+        .map(|curve| largest_by_bin(curve.diff))
+        .collect();
+    let budgets = budgets(curves);
+    let errors = bins.iter().flatten().map(|bin| bin.1);
+    let ceiling = budgets
+        .iter()
+        .copied()
+        .chain(errors)
+        .fold(FLOOR, f64::max)
+        .min(1e3)
+        * 3.0;
     let mut svg = String::new();
     {
         let root = SVGBackend::with_string(&mut svg, (800, 480)).into_drawing_area();
@@ -38,19 +63,26 @@ pub fn error_figure(diff: &Diff, budget: f64, title: &str) -> Result<String, Box
             .light_line_style(WHITE)
             .label_style(("sans-serif", 14))
             .draw()?;
-        chart
-            .draw_series(LineSeries::new(bins, BLUE.stroke_width(2)))?
-            .label("lookup − closed form")
-            .legend(|(x, y)| PathElement::new([(x, y), (x + 16, y)], BLUE.stroke_width(2)));
-        chart
-            .draw_series(LineSeries::new(
-                [(GAP.start, budget), (GAP.end, budget)],
-                RED.stroke_width(1),
-            ))?
-            .label(format!("budget {budget:.1e} rad"))
-            .legend(|(x, y)| PathElement::new([(x, y), (x + 16, y)], RED.stroke_width(1)));
+        for ((curve, bins), colour) in curves.iter().zip(bins).zip(COLOURS) {
+            chart
+                .draw_series(LineSeries::new(bins, colour.stroke_width(2)))?
+                .label(curve.name.as_str())
+                .legend(move |(x, y)| {
+                    PathElement::new([(x, y), (x + 16, y)], colour.stroke_width(2))
+                });
+        }
+        for budget in budgets {
+            chart
+                .draw_series(LineSeries::new(
+                    [(GAP.start, budget), (GAP.end, budget)],
+                    RED.stroke_width(1),
+                ))?
+                .label(format!("budget {budget:.1e} rad"))
+                .legend(|(x, y)| PathElement::new([(x, y), (x + 16, y)], RED.stroke_width(1)));
+        }
         chart
             .configure_series_labels()
+            .position(SeriesLabelPosition::LowerLeft)
             .background_style(WHITE)
             .border_style(BLACK)
             .label_font(("sans-serif", 14))
@@ -60,11 +92,18 @@ pub fn error_figure(diff: &Diff, budget: f64, title: &str) -> Result<String, Box
     Ok(svg)
 }
 
+/// The budgets of the curves, each once.
+fn budgets(curves: &[Curve]) -> Vec<f64> {
+    let mut budgets: Vec<f64> = curves.iter().map(|curve| curve.budget).collect();
+    budgets.dedup();
+    budgets
+}
+
 fn largest_by_bin(diff: &Diff) -> Vec<(f64, f64)> {
     let decades = (GAP.end / GAP.start).log10();
     let mut largest = vec![0.0_f64; BINS];
     for ray in &diff.rays {
-        let position = (ray.ray.at.one_minus_x / GAP.start).log10() / decades;
+        let position = (ray.ray.observed.at.one_minus_x / GAP.start).log10() / decades;
         let bin = ((position * BINS as f64) as usize).min(BINS - 1);
         largest[bin] = largest[bin].max((ray.lookup - ray.closed).abs());
     }

@@ -1,11 +1,13 @@
 //! A table compared with the direct integrator and with the closed form, ray by ray.
 
 pub mod figure;
+mod zone;
+
+pub use zone::Zone;
 
 use lensbake_core::rk4::Stepper;
-use lensbake_core::{BendAndSlope, RayOutcome, direct, exact};
-use lensbake_tables::baking::ObservedRay;
-use lensbake_tables::baking::for_each_ray;
+use lensbake_core::{BendAndSlope, Motion, RayOutcome, direct, exact};
+use lensbake_tables::baking::{FrameRay, ObservedRay, for_each_ray};
 use lensbake_tables::statistics::ErrorStatistics;
 use lensbake_tables::{Table, TableError};
 
@@ -25,19 +27,20 @@ impl Picture {
     }
 }
 
-/// The bending of one ray by lookup, by integration and in closed form.
+/// The bending of one ray by lookup, by integration and in closed form, in the frame of the observer who sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Comparison {
     /// The ray.
-    pub ray: ObservedRay,
+    pub ray: FrameRay,
     /// Bending by lookup, rad; NaN if the lookup captures the ray.
     pub lookup: f64,
     /// Bending by RK4, rad; NaN if RK4 captures the ray.
     pub direct: f64,
     /// Bending in closed form, rad; NaN for a captured ray.
     pub closed: f64,
-    /// dθ′/dθ, the change of the sky angle with the view angle (inverse radial magnification); `None` for the
-    /// observer at infinity.
+    /// Change of the sky angle θ′ with the angle in the observer's own frame, along the image of the plane of the ray
+    /// (inverse radial magnification): dθ′/dθ in the frame of [`FrameRay::observed`] × the scale of the boost. `None`
+    /// for the observer at infinity.
     pub sky_slope: Option<f64>,
 }
 
@@ -65,18 +68,21 @@ pub struct DiffStatistics {
 }
 
 /// Compares `table` along the rays `rays` with the direct integrator, at this `tolerance`, and with the closed
-/// form. `ray_done` is called after each ray.
+/// form. The lookup is that of the row of [`in_row_frame`](lensbake_core::Observer::in_row_frame) with the exact
+/// aberration. `ray_done` is called after each ray.
 ///
 /// # Errors
-/// [`TableError::OtherObserver`] if the table holds another observer's row.
-pub fn diff(
+/// [`TableError::OtherObserver`] if the table holds another observer's row, [`TableError::NoRowsBelow`] if it does not
+/// reach down to an observer.
+pub fn diff<R: AsRef<ObservedRay> + Into<FrameRay> + Copy + Sync>(
     table: &Table,
-    rays: &[ObservedRay],
+    rays: &[R],
     tolerance: f64,
     ray_done: impl Fn() + Sync,
 ) -> Result<Diff, TableError> {
     let rays = for_each_ray(table, rays, |row, &ray| {
-        let ObservedRay { observer, at } = ray;
+        let ray: FrameRay = ray.into();
+        let ObservedRay { observer, at } = ray.observed;
         let direct = match direct::bend_and_slope(&observer, at, Stepper::Adaptive(tolerance)) {
             RayOutcome::Escapes(bending) => bending,
             RayOutcome::Captured => BendAndSlope {
@@ -85,15 +91,14 @@ pub fn diff(
             },
         };
         ray_done();
+        let own = |bend: RayOutcome| bend.escaped().unwrap_or(f64::NAN) + ray.aberration();
         Comparison {
             ray,
-            lookup: row.bend(at).escaped().unwrap_or(f64::NAN),
-            direct: direct.bend,
-            closed: exact::bend(&observer.ray_at(at))
-                .escaped()
-                .unwrap_or(f64::NAN),
+            lookup: own(row.bend_for(&observer, at)),
+            direct: direct.bend + ray.aberration(),
+            closed: own(exact::bend(&observer.ray_at(at))),
             sky_slope: (!observer.is_at_infinity())
-                .then(|| 1.0 - direct.slope / observer.view_angle_slope(at.x)),
+                .then(|| ray.doppler * (1.0 - direct.slope / observer.view_angle_slope(at.x))),
         }
     })?;
     Ok(Diff { rays })
@@ -116,19 +121,45 @@ impl Diff {
         })
     }
 
-    /// CSV text with one line per ray: its coordinates, the three bendings, and the lookup's error in both units.
-    pub fn csv(&self, picture: &Picture) -> String {
-        let head =
-            "r,theta_rad,x,one_minus_x,lookup_rad,direct_rad,closed_rad,error_rad,error_px\n";
-        let mut text = head.to_owned();
+    /// The same rays in parts by [`Zone`], those that have rays, from far to near.
+    pub fn by_zone(self) -> Vec<(Zone, Diff)> {
+        let mut zones = Zone::ALL.map(|zone| (zone, Diff { rays: Vec::new() }));
+        for ray in self.rays {
+            let zone = Zone::of(&ray.ray.observed.observer);
+            zones[zone as usize].1.rays.push(ray);
+        }
+        let has_rays = |(_, part): &(Zone, Diff)| !part.rays.is_empty();
+        zones.into_iter().filter(has_rays).collect()
+    }
+
+    /// CSV text with one line per ray: its coordinates, the three bendings, and the lookup's error in both units. For
+    /// observers in `motion`, the motion and the azimuth are added.
+    pub fn csv(&self, picture: &Picture, motion: Motion) -> String {
+        let (motion_name, azimuth_name) = match motion {
+            Motion::Rest => ("", ""),
+            _ => ("motion,", "azimuth_rad,"),
+        };
+        let mut text = format!(
+            "{motion_name}r,theta_rad,{azimuth_name}x,one_minus_x,lookup_rad,direct_rad,closed_rad,error_rad,error_px\n"
+        );
+        let field = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
         for ray in &self.rays {
-            let ObservedRay { observer, at } = ray.ray;
+            let FrameRay {
+                observed: ObservedRay { observer, at },
+                theta,
+                azimuth,
+                ..
+            } = ray.ray;
+            let (motion, azimuth) = match motion {
+                Motion::Rest => (String::new(), String::new()),
+                // In quotation marks, because a velocity contains a comma.
+                _ => (format!("\"{motion}\","), format!("{},", field(azimuth))),
+            };
             let error = ray.lookup - ray.closed;
             let pixels = ray.in_pixels(error, picture);
             text += &format!(
-                "{},{},{},{:e},{},{},{},{:e},{}\n",
+                "{motion}{},{theta},{azimuth}{},{:e},{},{},{},{:e},{}\n",
                 observer.radius(),
-                observer.view_angle(at.x),
                 at.x,
                 at.one_minus_x,
                 ray.lookup,

@@ -45,7 +45,10 @@ fn measure(table: &Table, rays: &[ObservedRay]) -> Result<Measured, TableError> 
 /// As [`for_each_ray`].
 pub fn lookup_errors(table: &Table, rays: &[ObservedRay]) -> Result<Vec<f64>, TableError> {
     for_each_ray(table, rays, |row, ray| {
-        let looked_up = row.bend_for(&ray.observer, ray.at).escaped().unwrap_or(f64::NAN);
+        let looked_up = row
+            .bend_for(&ray.observer, ray.at)
+            .escaped()
+            .unwrap_or(f64::NAN);
         let closed = exact::bend(&ray.observer.ray_at(ray.at));
         looked_up - closed.escaped().unwrap_or(f64::NAN)
     })

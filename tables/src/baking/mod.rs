@@ -2,9 +2,11 @@
 
 mod measure;
 mod rays;
+mod rays_in_motion;
 
 pub use measure::{for_each_ray, lookup_errors, measured};
 pub use rays::{EDGE_GAP, ObservedRay, R_MIN, off_nodes, random};
+pub use rays_in_motion::{FrameRay, random_in_motion};
 
 use crate::{Axis, Header, Measured, Rows, Solver, Table, TableError, Texel};
 use lensbake_core::rk4::Stepper;

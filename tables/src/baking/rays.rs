@@ -14,6 +14,12 @@ pub struct ObservedRay {
     pub at: ShadowCoordinate,
 }
 
+impl AsRef<ObservedRay> for ObservedRay {
+    fn as_ref(&self) -> &ObservedRay {
+        self
+    }
+}
+
 /// Smallest radius of the observers of random rays.
 pub const R_MIN: f64 = 1.005;
 /// Smallest 1 − x of test rays: how close to the shadow boundary they come.
@@ -39,9 +45,14 @@ fn random_ray(table: &Header, rng: &mut Rng) -> ObservedRay {
             Observer::at_chi(rng.f64() * chi_max)
         }
     };
+    random_direction(table.axis, observer, rng)
+}
+
+/// A random ray of `observer`, with the directions that [`random`] says.
+pub(super) fn random_direction(axis: Axis, observer: Observer, rng: &mut Rng) -> ObservedRay {
     let crowd = rng.bool();
     let t = rng.f64();
-    let at = match table.axis {
+    let at = match axis {
         Axis::Residual if crowd => edge_gap(EDGE_GAP.powf(t)),
         Axis::Residual if observer.is_at_infinity() => edge_gap(EDGE_GAP + t * (1.0 - EDGE_GAP)),
         Axis::Residual => away_from_edge(&observer, t),
@@ -50,7 +61,7 @@ fn random_ray(table: &Header, rng: &mut Rng) -> ObservedRay {
     ObservedRay { observer, at }
 }
 
-fn edge_gap(one_minus_x: f64) -> ShadowCoordinate {
+pub(super) fn edge_gap(one_minus_x: f64) -> ShadowCoordinate {
     ShadowCoordinate {
         x: 1.0 - one_minus_x,
         one_minus_x,
@@ -61,7 +72,11 @@ fn edge_gap(one_minus_x: f64) -> ShadowCoordinate {
 /// but at least [`EDGE_GAP`] from the shadow boundary.
 fn away_from_edge(observer: &Observer, t: f64) -> ShadowCoordinate {
     let edge = observer.shadow_angle();
-    let at = observer.shadow_coordinate(edge + t * (std::f64::consts::PI - edge));
+    off_edge(observer.shadow_coordinate(edge + t * (std::f64::consts::PI - edge)))
+}
+
+/// The direction `at`, but at least [`EDGE_GAP`] from the shadow boundary.
+pub(super) fn off_edge(at: ShadowCoordinate) -> ShadowCoordinate {
     if at.one_minus_x < EDGE_GAP {
         edge_gap(EDGE_GAP)
     } else {

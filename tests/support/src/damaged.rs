@@ -14,9 +14,9 @@ pub struct Damaged {
 }
 
 /// Offset of the texel count in the binary atlas: after the prefix, the axis and the rows.
-const TEXELS_FIELD: usize = 16 + 4 + 8;
+const TEXELS_FIELD: usize = 16 + 4 + 20;
 /// Bytes of the atlas's texels, which end before the checksum.
-const TEXEL_BYTES: usize = 64 * 1024;
+const TEXEL_BYTES: usize = 96 * 1024;
 
 /// The binary atlas with each kind of damage.
 pub fn damaged_tables() -> Vec<Damaged> {

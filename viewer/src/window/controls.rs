@@ -1,15 +1,16 @@
 //! Contents of the panel and the help, laid out by egui.
 
 use super::keys::{BINDINGS, MOUSE};
-use super::motion::{FIELDS_OF_VIEW, ORBIT_SPEEDS, RADII};
+use super::motion::FIELDS_OF_VIEW;
+use super::motion_controls;
 use super::resolution::Resolution;
-use super::settings::{Comparison, Settings};
-use super::title;
+use super::settings::{Comparison, SHIFTS, Settings};
 use egui::{
     Align2, ComboBox, Context, Grid, Id, Label, RichText, ScrollArea, Slider, SliderClamping, Ui,
     Vec2, Window, vec2,
 };
 use lensbake_render::scene::Sampling;
+use lensbake_render::shift::Shift;
 use std::time::Duration;
 
 /// egui id of the panel.
@@ -38,7 +39,7 @@ pub struct PanelInfo {
     pub picture: [u32; 2],
     /// Name of the table in use.
     pub table: String,
-    /// Largest error of the table, rad, if it was measured.
+    /// Largest error of the table on this side of the horizon, rad, if it was measured.
     pub table_error: Option<f64>,
     /// Upper bound on the rounding error of the GPU's 32-bit floats, pixels.
     pub rounding_px: f64,
@@ -107,29 +108,12 @@ fn in_window(ui: &mut Ui, width: f32, contents: impl FnOnce(&mut Ui)) {
 
 /// Adds the widgets of the settings; returns the index of another sky if one was chosen.
 fn choices(ui: &mut Ui, settings: &mut Settings, facts: &PanelInfo) -> Option<usize> {
-    let view = &mut settings.view;
-    ui.label("radius");
-    let radius = Slider::new(&mut view.radius, RADII)
-        .logarithmic(true)
-        .custom_formatter(|radius, _| title::radius(radius))
-        .suffix(" r_s");
-    let shown = ui.add_enabled(facts.held_radius.is_none(), typed(radius));
-    if let Some(why) = &facts.held_radius {
-        shown.on_disabled_hover_text(why);
-    }
-    ui.end_row();
+    motion_controls::radius(ui, settings, facts);
+    motion_controls::motion(ui, settings);
 
     ui.label("field of view");
-    let field = Slider::new(&mut view.fov_deg, FIELDS_OF_VIEW).suffix("°");
+    let field = Slider::new(&mut settings.view.fov_deg, FIELDS_OF_VIEW).suffix("°");
     ui.add(typed(field));
-    ui.end_row();
-
-    ui.label("orbit speed");
-    ui.horizontal(|ui| {
-        for (i, speed) in ORBIT_SPEEDS.iter().enumerate() {
-            ui.selectable_value(&mut settings.orbit_speed, i, format!("{speed}×"));
-        }
-    });
     ui.end_row();
 
     ui.label("sky");
@@ -141,9 +125,7 @@ fn choices(ui: &mut Ui, settings: &mut Settings, facts: &PanelInfo) -> Option<us
         .on_hover_text(&names[*shown]);
     ui.end_row();
 
-    ui.label("exposure");
-    ui.add(Slider::new(&mut settings.exposure, Settings::EXPOSURES).suffix(" EV"));
-    ui.end_row();
+    light(ui, settings);
 
     ui.label("deflection");
     ui.checkbox(&mut settings.deflection, "");
@@ -203,9 +185,31 @@ fn choices(ui: &mut Ui, settings: &mut Settings, facts: &PanelInfo) -> Option<us
     (chosen != *shown).then_some(chosen)
 }
 
+/// Adds the rows of the frequency shift and the exposure.
+fn light(ui: &mut Ui, settings: &mut Settings) {
+    ui.label("shift");
+    ui.horizontal(|ui| {
+        for shift in SHIFTS {
+            ui.selectable_value(&mut settings.shift, shift, shift.name());
+        }
+    });
+    ui.end_row();
+
+    ui.label("exposure");
+    ui.horizontal(|ui| {
+        ui.add(Slider::new(&mut settings.exposure, Settings::EXPOSURES).suffix(" EV"));
+        // Without the shift, nothing changes the brightness.
+        ui.add_enabled_ui(settings.shift != Shift::Off, |ui| {
+            ui.checkbox(&mut settings.auto_exposure, "auto")
+                .on_hover_text("makes up for the brightness of the frequency shift (E)");
+        });
+    });
+    ui.end_row();
+}
+
 /// A slider that also accepts typed numbers beyond its ends. A typed number takes effect when it is complete,
 /// because its first digits alone may be invalid.
-fn typed(slider: Slider) -> Slider {
+pub(super) fn typed(slider: Slider) -> Slider {
     slider
         .clamping(SliderClamping::Never)
         .update_while_editing(false)
@@ -280,6 +284,7 @@ mod tests {
     use super::super::message;
     use super::*;
     use egui::{Pos2, RawInput, Rect, Shape};
+    use lensbake_core::Motion;
     use lensbake_render::camera::View;
 
     /// The layout of a window, in points.
@@ -291,8 +296,30 @@ mod tests {
         cut: f32,
     }
 
+    /// The settings in each motion, with all rows that it has in the panel.
+    fn in_all_motions() -> [Settings; 4] {
+        let velocity = Motion::Velocity {
+            radial: -0.123456,
+            tangential: 0.654321,
+        };
+        [Motion::Rest, Motion::Fall, Motion::Orbit, velocity].map(|motion| {
+            let view = View {
+                motion,
+                ..View::default()
+            };
+            let mut settings = Settings::new(view, 0.05);
+            settings.help = true;
+            settings.shift = Shift::Colour;
+            settings.given_velocity = Some(velocity);
+            if motion == Motion::Fall {
+                settings.let_go();
+            }
+            settings
+        })
+    }
+
     /// Lays out panel, help and a message in a window of this size, with names of `length` letters.
-    fn laid_out([width, height]: [f32; 2], length: usize) -> LaidOut {
+    fn laid_out([width, height]: [f32; 2], length: usize, mut settings: Settings) -> LaidOut {
         let screen = Rect::from_min_size(Pos2::ZERO, vec2(width, height));
         let name = "sky-of-a-long-name".chars().cycle().take(length);
         let name: String = name.collect();
@@ -308,8 +335,6 @@ mod tests {
             held_radius: None,
             adapter: "none".into(),
         };
-        let mut settings = Settings::new(View::default(), 0.05);
-        settings.help = true;
         let context = Context::default();
         let mut cut = 0.0;
         // egui needs a few frames to settle on sizes.
@@ -341,12 +366,18 @@ mod tests {
     fn whatever_the_names_are_all_lies_in_the_window() {
         for size in [[1280.0, 720.0], [640.0, 360.0], [300.0, 200.0]] {
             for length in [3, 255, 4000] {
-                let LaidOut { screen, areas, cut } = laid_out(size, length);
-                for area in areas {
-                    assert!(screen.contains_rect(area), "{size:?}, {length}: {area:?}");
+                for settings in in_all_motions() {
+                    let motion = settings.view.motion;
+                    let LaidOut { screen, areas, cut } = laid_out(size, length, settings);
+                    for area in areas {
+                        assert!(screen.contains_rect(area), "{size:?}, {length}: {area:?}");
+                    }
+                    let narrow = size[0] < 480.0;
+                    assert!(
+                        narrow || cut < 1.0,
+                        "{size:?}, {length}, {motion}: {cut} cut off"
+                    );
                 }
-                let narrow = size[0] < 480.0;
-                assert!(narrow || cut < 1.0, "{size:?}, {length}: {cut} cut off");
             }
         }
     }

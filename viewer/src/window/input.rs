@@ -1,6 +1,7 @@
 //! Input handling: translates keyboard and mouse events into changes of the settings.
 
-use super::keys::{Command, HeldKeys, KeyAction, key_action};
+use super::held_keys::HeldKeys;
+use super::keys::{Command, KeyAction, key_action};
 use super::motion;
 use super::settings::Settings;
 use lensbake_render::camera::View;

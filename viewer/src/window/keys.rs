@@ -3,7 +3,6 @@
 //! Key bindings use physical key positions, named as on a US keyboard, so that WASD is in the same place on every
 //! keyboard layout.
 
-use std::time::{Duration, Instant};
 use winit::keyboard::KeyCode;
 
 /// Movement of the camera while a key is held.
@@ -30,8 +29,22 @@ pub enum Movement {
 /// Change of the settings when a key is pressed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Change {
-    /// The next orbit speed.
+    /// The next motion that is possible at this radius.
+    NextMotion,
+    /// Let go; during the fall pause and go on, at its end fall again.
+    LetGo,
+    /// Back to where the camera let go.
+    BackToLetGo,
+    /// Less proper time per second.
+    SlowerClock,
+    /// More proper time per second.
+    FasterClock,
+    /// The next orbit speed; in orbit, whether the camera moves by the true period.
     NextOrbitSpeed,
+    /// The next kind of frequency shift.
+    NextShift,
+    /// Automatic exposure on or off.
+    ToggleAutoExposure,
     /// Deflection on or off.
     ToggleDeflection,
     /// Filtered pixels or one ray per pixel.
@@ -82,8 +95,15 @@ pub enum KeyAction {
 
 impl Change {
     /// All changes.
-    pub const ALL: [Change; 11] = [
+    pub const ALL: [Change; 18] = [
+        Change::NextMotion,
+        Change::LetGo,
+        Change::BackToLetGo,
+        Change::SlowerClock,
+        Change::FasterClock,
         Change::NextOrbitSpeed,
+        Change::NextShift,
+        Change::ToggleAutoExposure,
         Change::ToggleDeflection,
         Change::ToggleFilter,
         Change::NextComparison,
@@ -157,14 +177,43 @@ pub const BINDINGS: &[Binding] = &[
         "go round the hole",
     ),
     binding(
+        &[changes(KeyCode::KeyO, Change::NextMotion)],
+        "O",
+        "motion: at rest, free fall, circular orbit",
+    ),
+    binding(
+        &[
+            changes(KeyCode::KeyG, Change::LetGo),
+            changes(KeyCode::KeyT, Change::BackToLetGo),
+        ],
+        "G, T",
+        "let go (fall by proper time), pause, go on; go back",
+    ),
+    binding(
+        &[
+            changes(KeyCode::Comma, Change::SlowerClock),
+            changes(KeyCode::Period, Change::FasterClock),
+        ],
+        "Comma, Period",
+        "less, more proper time per second",
+    ),
+    binding(
         &[changes(KeyCode::KeyR, Change::NextOrbitSpeed)],
         "R",
-        "orbit speed: 0×, 1×, 2×, 4×",
+        "orbit speed: 0×, 1×, 2×, 4×; in orbit: the true period",
     ),
     binding(
         &[pressed(KeyCode::KeyZ, Command::NextSky)],
         "Z",
         "next sky: nebula, starmap, grid, stars",
+    ),
+    binding(
+        &[
+            changes(KeyCode::KeyC, Change::NextShift),
+            changes(KeyCode::KeyE, Change::ToggleAutoExposure),
+        ],
+        "C, E",
+        "frequency shift: off, brightness, colour; auto exposure",
     ),
     binding(
         &[changes(KeyCode::KeyL, Change::ToggleDeflection)],
@@ -263,70 +312,6 @@ pub fn key_action(key: KeyCode) -> Option<KeyAction> {
     all.find(|(k, _)| *k == key).map(|(_, action)| *action)
 }
 
-/// The keys that are held, and how long each was held since the last call of [`HeldKeys::drain`]. A key pressed
-/// and released between two frames counts for the time that it was held.
-#[derive(Debug, Clone, Default)]
-pub struct HeldKeys {
-    keys: Vec<Hold>,
-}
-
-#[derive(Debug, Clone, Copy)]
-struct Hold {
-    key: KeyCode,
-    movement: Movement,
-    since: Option<Instant>,
-    before: Duration,
-}
-
-impl HeldKeys {
-    /// Records that a key is pressed.
-    pub fn press(&mut self, key: KeyCode, movement: Movement, now: Instant) {
-        match self.keys.iter_mut().find(|hold| hold.key == key) {
-            Some(hold) => hold.since = hold.since.or(Some(now)),
-            None => self.keys.push(Hold {
-                key,
-                movement,
-                since: Some(now),
-                before: Duration::ZERO,
-            }),
-        }
-    }
-
-    /// Records that a key is released.
-    pub fn release(&mut self, key: KeyCode, now: Instant) {
-        for hold in self.keys.iter_mut().filter(|hold| hold.key == key) {
-            if let Some(since) = hold.since.take() {
-                hold.before += now - since;
-            }
-        }
-    }
-
-    /// Records that all keys are released, as when the window loses the focus.
-    pub fn release_all(&mut self, now: Instant) {
-        for hold in &mut self.keys {
-            if let Some(since) = hold.since.take() {
-                hold.before += now - since;
-            }
-        }
-    }
-
-    /// Whether a key is held, or was since the last call of [`HeldKeys::drain`].
-    pub fn any(&self) -> bool {
-        !self.keys.is_empty()
-    }
-
-    /// Calls `f` with every movement and the seconds it was held since the last call.
-    pub fn drain(&mut self, now: Instant, mut f: impl FnMut(Movement, f64)) {
-        for hold in &mut self.keys {
-            let running = hold.since.map(|since| now - since).unwrap_or_default();
-            hold.since = hold.since.map(|_| now);
-            f(hold.movement, (hold.before + running).as_secs_f64());
-            hold.before = Duration::ZERO;
-        }
-        self.keys.retain(|hold| hold.since.is_some());
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -355,32 +340,5 @@ mod tests {
             let line = format!("| {names} | {does} |");
             assert!(readme.contains(&line), "the README lacks: {line}");
         }
-    }
-
-    #[test]
-    fn a_key_counts_for_as_long_as_it_was_held() {
-        let start = Instant::now();
-        let at = |ms| start + Duration::from_millis(ms);
-        let mut held = HeldKeys::default();
-        let drained = |held: &mut HeldKeys, ms| {
-            let mut all = Vec::new();
-            held.drain(at(ms), |movement, s| {
-                all.push((movement, (1000.0 * s).round() as u64));
-            });
-            all
-        };
-        held.press(KeyCode::KeyW, Movement::LookUp, at(0));
-        held.press(KeyCode::KeyW, Movement::LookUp, at(5));
-        assert_eq!(drained(&mut held, 10), [(Movement::LookUp, 10)]);
-        held.release(KeyCode::KeyW, at(13));
-        held.press(KeyCode::KeyW, Movement::LookUp, at(14));
-        held.release(KeyCode::KeyW, at(18));
-        assert!(held.any());
-        assert_eq!(drained(&mut held, 30), [(Movement::LookUp, 7)]);
-        assert!(!held.any());
-        held.press(KeyCode::KeyA, Movement::LookLeft, at(40));
-        held.release_all(at(42));
-        assert_eq!(drained(&mut held, 50), [(Movement::LookLeft, 2)]);
-        assert_eq!(drained(&mut held, 60), []);
     }
 }

@@ -1,15 +1,17 @@
-//! Movement of the camera, by elapsed time.
+//! Movement of the camera by keys, mouse and wheel, by elapsed time.
 //!
-//! Keys, wheel and sliders stop at the ends of [`RADII`], [`FIELDS_OF_VIEW`] and [`PITCHES`]. A flag or a typed
+//! Keys, wheel and sliders stop at the ends of [`radii`], [`FIELDS_OF_VIEW`] and [`PITCHES`]. A flag or a typed
 //! number may set a view beyond an end. Such a view stays where it is until it is moved, and then moves only
 //! towards the end.
 
+use super::fall;
 use super::keys::Movement;
+use lensbake_core::Motion;
 use lensbake_render::camera::View;
 use std::ops::RangeInclusive;
 
-/// Range of radii for keys, wheel and slider: from near the horizon to where the shadow is about a pixel wide.
-pub const RADII: RangeInclusive<f64> = 1.01..=2000.0;
+/// Farthest radius for keys, wheel and slider: the shadow is about a pixel wide.
+const FARTHEST: f64 = 2000.0;
 /// Orbit speeds to choose from, as multiples of [`ORBIT_DEG_PER_S`].
 pub const ORBIT_SPEEDS: [f64; 4] = [0.0, 1.0, 2.0, 4.0];
 /// Orbit speed 1×, degrees per second: one orbit in half a minute.
@@ -21,10 +23,9 @@ pub const PITCHES: RangeInclusive<f64> = -90.0..=90.0;
 
 /// Turning speed by keys, fields of view per second.
 const TURN_PER_S: f64 = 0.5;
-/// Approach speed by keys: r − 1 changes by a factor of e to this power per second. The camera is slower when
-/// near, and never passes the horizon.
+/// Approach speed by keys: the distance of [`approach`] changes by a factor of e to this power per second.
 const APPROACH_PER_S: f64 = 0.8;
-/// Factor of r − 1, or of the field of view, per notch of the wheel or press of a key.
+/// Factor of the distance of [`approach`], or of the field of view, per notch of the wheel or press of a key.
 const NOTCH: f64 = 0.9;
 const GO_ROUND_DEG_PER_S: f64 = 45.0;
 
@@ -58,15 +59,33 @@ pub fn orbit(view: &mut View, right_deg: f64, up_deg: f64) {
     view.latitude_deg = stopped(view.latitude_deg, view.latitude_deg + up_deg, PITCHES);
 }
 
-/// Divides r − 1 by e to the `power`.
+/// Range of radii for keys, wheel and slider in the motion of `view`. It ends shortly before the radius at which the
+/// motion becomes impossible. Only in free fall does it contain the horizon.
+pub fn radii(view: &View) -> RangeInclusive<f64> {
+    match view.motion {
+        Motion::Orbit => 1.51..=FARTHEST,
+        Motion::Fall => fall::END..=FARTHEST,
+        // Below the horizon a velocity is relative to another observer.
+        Motion::Velocity { .. } if view.radius <= 1.0 => fall::END..=1.0,
+        Motion::Rest | Motion::Velocity { .. } => 1.01..=FARTHEST,
+    }
+}
+
+/// Divides the distance by e to the `power`, so that the camera is slower when near: the distance from the horizon,
+/// r − 1, or, for a camera in free fall or below the horizon, r.
 pub fn approach(view: &mut View, power: f64) {
-    let moved = 1.0 + (view.radius - 1.0) * (-power).exp();
+    let centre = match view.motion {
+        Motion::Fall => 0.0,
+        Motion::Velocity { .. } if view.radius <= 1.0 => 0.0,
+        Motion::Rest | Motion::Orbit | Motion::Velocity { .. } => 1.0,
+    };
+    let moved = centre + (view.radius - centre) * (-power).exp();
     // Near the horizon a small step outwards would be lost in rounding, and the camera could never leave.
     let moved = match power < 0.0 {
         true => moved.max(view.radius.next_up()),
         false => moved,
     };
-    view.radius = stopped(view.radius, moved, RADII);
+    view.radius = stopped(view.radius, moved, radii(view));
 }
 
 /// Moves towards the hole by notches of the wheel.
@@ -83,6 +102,7 @@ pub fn zoom(view: &mut View, notches: f64) {
 /// The same view with its angles wrapped to −180° … 180°.
 pub fn unwound(view: &View) -> View {
     View {
+        heading_deg: wrapped(view.heading_deg),
         orbit_deg: wrapped(view.orbit_deg),
         latitude_deg: wrapped(view.latitude_deg),
         yaw_deg: wrapped(view.yaw_deg),
@@ -98,7 +118,7 @@ fn stopped(before: f64, after: f64, range: RangeInclusive<f64>) -> f64 {
 }
 
 /// Wraps an angle to −180° … 180°.
-fn wrapped(degrees: f64) -> f64 {
+pub(super) fn wrapped(degrees: f64) -> f64 {
     match (-180.0..=180.0).contains(&degrees) {
         true => degrees,
         false => (degrees + 180.0).rem_euclid(360.0) - 180.0,
@@ -171,7 +191,49 @@ mod tests {
         for _ in 0..10_000 {
             Movement::Farther.steer(&mut view, 0.016);
         }
-        assert_eq!(view.radius, *RADII.end());
+        assert_eq!(view.radius, FARTHEST);
+    }
+
+    fn at(radius: f64, motion: Motion) -> View {
+        View {
+            radius,
+            motion,
+            ..View::default()
+        }
+    }
+
+    const VELOCITY: Motion = Motion::Velocity {
+        radial: -0.3,
+        tangential: 0.5,
+    };
+
+    #[test]
+    fn each_motion_has_its_nearest_radius() {
+        for (radius, motion, nearest) in [
+            (25.0, Motion::Rest, 1.01),
+            (25.0, Motion::Orbit, 1.51),
+            (25.0, Motion::Fall, 0.01),
+            (25.0, VELOCITY, 1.01),
+            (0.5, VELOCITY, 0.01),
+        ] {
+            let mut view = at(radius, motion);
+            for _ in 0..100 {
+                Movement::Nearer.steer(&mut view, 0.2);
+            }
+            assert_eq!(view.radius, nearest, "{motion}");
+        }
+    }
+
+    #[test]
+    fn the_camera_in_free_fall_passes_the_horizon_both_ways() {
+        let mut view = at(1.5, Motion::Fall);
+        Movement::Nearer.steer(&mut view, 1.0);
+        assert!((0.5..1.0).contains(&view.radius), "{}", view.radius);
+        Movement::Farther.steer(&mut view, 1.0);
+        assert!((view.radius - 1.5).abs() < 1e-12, "{}", view.radius);
+        let mut inside = at(0.9, VELOCITY);
+        Movement::Farther.steer(&mut inside, 1.0);
+        assert_eq!(inside.radius, 1.0, "its velocity is relative to the fall");
     }
 
     #[test]
@@ -189,13 +251,24 @@ mod tests {
         );
     }
 
+    fn any_motion() -> impl Strategy<Value = (f64, Motion)> {
+        prop_oneof![
+            (1.001..2500.0).prop_map(|radius| (radius, Motion::Rest)),
+            (1.501..2500.0).prop_map(|radius| (radius, Motion::Orbit)),
+            (0.005..2500.0).prop_map(|radius| (radius, Motion::Fall)),
+            (0.005..2500.0).prop_map(|radius| (radius, VELOCITY)),
+        ]
+    }
+
     proptest! {
         #[test]
         fn no_motion_makes_a_view_without_a_camera(
-            actions in prop::collection::vec((0..10usize, -1e4..1e4f64), 1..50)
+            (radius, motion) in any_motion(),
+            actions in prop::collection::vec((0..10usize, -1e4..1e4f64), 1..50),
         ) {
-            let mut view = View::default();
+            let mut view = at(radius, motion);
             for (action, amount) in actions {
+                let before = view;
                 match action {
                     0 => look(&mut view, amount, 0.3 * amount),
                     1 => orbit(&mut view, amount, 0.3 * amount),
@@ -207,7 +280,9 @@ mod tests {
                     _ => approach(&mut view, 1e-3 * amount),
                 }
                 prop_assert!(lensbake_render::camera::Camera::new(&view).is_ok(), "{view:?}");
-                prop_assert!(RADII.contains(&view.radius));
+                let (least, most) = radii(&before).into_inner();
+                let allowed = least.min(before.radius)..=most.max(before.radius);
+                prop_assert!(allowed.contains(&view.radius), "{view:?}");
             }
         }
     }

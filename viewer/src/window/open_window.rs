@@ -5,7 +5,6 @@ use super::event::AppEvent;
 use super::input::{Input, Reaction};
 use super::keys::Command;
 use super::meter::Meter;
-use super::motion::{self, ORBIT_DEG_PER_S};
 use super::pace::{AfterFrame, Pace};
 use super::panel::Panel;
 use super::plan::{Plan, scaled};
@@ -306,11 +305,11 @@ impl OpenWindow {
     fn advance(&mut self, now: Instant) -> bool {
         let settings = &mut self.state.settings;
         let held = self.input.steer(&mut settings.view, now);
-        let speed = settings.orbit_speed();
-        let moving = held || speed != 0.0;
+        let moving = held || settings.moves();
         let since = self.pace.begin(now, moving);
-        let right = speed * ORBIT_DEG_PER_S * since.as_secs_f64();
-        motion::orbit(&mut settings.view, right, 0.0);
+        if let Some(said) = settings.advance(since.as_secs_f64()) {
+            self.panel.say(said);
+        }
         moving
     }
 
@@ -360,7 +359,6 @@ impl OpenWindow {
 
     fn facts(&self, plan: &Plan) -> PanelInfo {
         let table = self.state.table();
-        let measured = table.table().header().measured;
         PanelInfo {
             skies: (self.skies.names().collect(), self.skies.shown()),
             interval: self.pace.interval(),
@@ -368,7 +366,7 @@ impl OpenWindow {
             frame_time: self.frames.mean(),
             picture: plan.picture(),
             table: table.short_name(),
-            table_error: (measured.rays > 0).then_some(measured.max_error),
+            table_error: table.error_at(self.state.settings.view.radius),
             rounding_px: Precision::F32.rounding_px(&plan.window),
             held_radius: self.state.held_radius(),
             adapter: self.stage.gpu().name(),

@@ -1,8 +1,11 @@
 //! Settings of the window: keys, mouse and panel change them, a frame reads them.
 
+use super::fall::Fall;
 use super::keys::Change;
 use super::motion::{self, ORBIT_SPEEDS};
 use super::resolution::Resolution;
+use super::travel::USUAL_CLOCK_RATE;
+use lensbake_core::Motion;
 use lensbake_render::camera::View;
 use lensbake_render::exposure;
 use lensbake_render::gpu::{EdgeMode, FrameContent, Presentation};
@@ -47,12 +50,23 @@ impl Comparison {
     }
 }
 
+/// What of the frequency shift can be shown, in the order in which the key cycles through it.
+pub const SHIFTS: [Shift; 3] = [Shift::Off, Shift::Brightness, Shift::Colour];
+
 /// The settings.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
     /// Position, orientation and field of view of the camera; its size in pixels is replaced by the window's.
     pub view: View,
-    /// Index into [`ORBIT_SPEEDS`].
+    /// The velocity that a flag gave, which can be chosen as a motion.
+    pub given_velocity: Option<Motion>,
+    /// The fall by proper time, once the camera has let go.
+    pub(super) fall: Option<Fall>,
+    /// Index of the proper time per second.
+    pub(super) clock_rate: usize,
+    /// Whether the camera in orbit moves by the true period.
+    pub true_period: bool,
+    /// Index into [`ORBIT_SPEEDS`], for the camera at rest.
     pub orbit_speed: usize,
     /// Whether light is deflected.
     pub deflection: bool,
@@ -110,6 +124,11 @@ impl Settings {
     pub fn new(view: View, step: f64) -> Self {
         Settings {
             view: motion::unwound(&view),
+            given_velocity: Some(view.motion)
+                .filter(|motion| matches!(motion, Motion::Velocity { .. })),
+            fall: None,
+            clock_rate: USUAL_CLOCK_RATE,
+            true_period: false,
             orbit_speed: 0,
             deflection: true,
             comparison: Comparison::Table,
@@ -127,9 +146,10 @@ impl Settings {
         }
     }
 
-    /// One function for each number, which copies it from the second settings to the first, so that a change can
-    /// be kept in part.
-    pub(super) const PARTS: [fn(&mut Settings, &Settings); 11] = [
+    /// One function for each part on which it depends whether the settings can be drawn. It copies the part from the
+    /// second settings to the first, so that a change can be kept in part. The last one is for a radius and a motion that
+    /// are possible only together.
+    pub(super) const PARTS: [fn(&mut Settings, &Settings); 14] = [
         |to, from| to.view.radius = from.view.radius,
         |to, from| to.view.fov_deg = from.view.fov_deg,
         |to, from| to.view.yaw_deg = from.view.yaw_deg,
@@ -141,6 +161,9 @@ impl Settings {
         |to, from| to.gain = from.gain,
         |to, from| to.exposure = from.exposure,
         |to, from| to.target_ms = from.target_ms,
+        |to, from| to.view.heading_deg = from.view.heading_deg,
+        |to, from| to.view.motion = from.view.motion,
+        |to, from| (to.view.radius, to.view.motion) = (from.view.radius, from.view.motion),
     ];
 
     /// Checks the numbers that do not belong to the camera.
@@ -223,9 +246,14 @@ impl Settings {
     /// Applies the change of a key.
     pub fn change(&mut self, change: Change) {
         match change {
-            Change::NextOrbitSpeed => {
-                self.orbit_speed = (self.orbit_speed + 1) % ORBIT_SPEEDS.len();
-            }
+            Change::NextMotion => self.choose_next_motion(),
+            Change::LetGo => self.let_go(),
+            Change::BackToLetGo => self.back_to_let_go(),
+            Change::SlowerClock => self.change_clock_rate(-1),
+            Change::FasterClock => self.change_clock_rate(1),
+            Change::NextOrbitSpeed => self.next_orbit_speed(),
+            Change::NextShift => self.shift = next(&SHIFTS, self.shift),
+            Change::ToggleAutoExposure => self.auto_exposure ^= true,
             Change::ToggleDeflection => self.deflection ^= true,
             Change::ToggleFilter => {
                 let all = [Sampling::Filtered, Sampling::Single];
@@ -239,6 +267,14 @@ impl Settings {
             Change::LessGain => self.amplify(0.25),
             Change::TogglePanel => self.panel ^= true,
             Change::ToggleHelp => self.help ^= true,
+        }
+    }
+
+    fn next_orbit_speed(&mut self) {
+        match self.view.motion {
+            Motion::Rest => self.orbit_speed = (self.orbit_speed + 1) % ORBIT_SPEEDS.len(),
+            Motion::Orbit => self.true_period ^= true,
+            Motion::Fall | Motion::Velocity { .. } => (),
         }
     }
 

@@ -4,9 +4,11 @@
 //! Input changes [`State::settings`] freely. [`State::settle`] then keeps the changes that can be drawn, reverts
 //! the others, and says why. [`State::plan`] draws the settings that were kept last.
 
+use super::motion_choice;
 use super::plan::{Plan, PlanError};
 use super::settings::{OutOfRange, Settings};
 use super::title;
+use lensbake_core::Motion;
 use lensbake_render::camera::CameraError;
 use lensbake_render::lens::LensError;
 use lensbake_tables::{Rows, Table, TableError};
@@ -79,15 +81,18 @@ impl NamedTable {
         }
     }
 
-    /// The table.
-    pub fn table(&self) -> &Table {
-        &self.table
-    }
-
     /// The name without folders.
     pub fn short_name(&self) -> String {
         let file = Path::new(&self.name).file_name();
         file.map_or_else(|| self.name.clone(), |name| name.display().to_string())
+    }
+
+    /// The largest measured error of the rows on this side of the horizon, rad; `None` if it was not measured.
+    pub fn error_at(&self, radius: f64) -> Option<f64> {
+        let header = self.table.header();
+        let below = header.measured_below.filter(|_| radius <= 1.0);
+        let measured = below.unwrap_or(header.measured);
+        (measured.rays > 0).then_some(measured.max_error)
     }
 
     /// The radius of the observer, if the table has one only.
@@ -156,8 +161,8 @@ impl State {
         Some(format!("{name} holds r = {radius} only: {way_out}"))
     }
 
-    /// Keeps the changes of the settings that can be drawn and reverts the others. Returns the reason if something
-    /// was reverted.
+    /// Keeps the changes of the settings that can be drawn and reverts the others. A fall to where nothing can be drawn
+    /// stops. Returns the reason if something was reverted.
     pub fn settle(&mut self) -> Option<String> {
         if self.settings == self.drawable {
             return None;
@@ -170,7 +175,7 @@ impl State {
         refusal.map(|refusal| self.in_words(&refusal))
     }
 
-    /// The settings, in which the numbers that cannot be drawn are reverted.
+    /// The settings, in which what cannot be drawn is reverted.
     fn mended(&self) -> Settings {
         let mut mended = self.settings.clone();
         for part in Settings::PARTS {
@@ -183,6 +188,11 @@ impl State {
                 mended = next;
             }
         }
+        if mended.view.motion != self.settings.view.motion {
+            mended.fall = self.drawable.fall;
+        } else if mended.view.radius != self.settings.view.radius {
+            mended.stop_falling();
+        }
         mended
     }
 
@@ -191,8 +201,8 @@ impl State {
         held.unwrap_or_else(|| refusal.to_string())
     }
 
-    /// Replaces the table. If the new one has only one row, for another radius, the camera moves there. Returns a
-    /// message.
+    /// Replaces the table. If the new one has only one row, for another radius, the camera moves there, in free fall if
+    /// its motion is impossible there. Returns a message.
     ///
     /// # Errors
     /// [`Refusal`] if the table cannot be used; then nothing changes.
@@ -205,6 +215,11 @@ impl State {
             settings.view.radius = radius;
             let radius = title::radius(radius);
             said += &format!(", which holds r = {radius} only: the camera went there");
+            let view = settings.view;
+            if motion_choice::problem(view.radius, view.motion).is_some() {
+                settings.choose_motion(Motion::Fall);
+                said += " in free fall";
+            }
         }
         table.draws(&settings).map_err(|refusal| match refusal {
             Refusal::View(problem) => Refusal::Observer {

@@ -4,13 +4,14 @@
 use super::controls::{PanelInfo, controls};
 use super::keys::{Change, Movement};
 use super::motion;
-
+use super::motion_choice;
 use super::settings::Settings;
 use super::state::{NamedTable, State};
 use egui::{Context, Pos2, RawInput, Rect, vec2};
+use lensbake_core::Motion;
 use lensbake_render::camera::{MAX_RADIUS, View};
 use lensbake_tables::{Axis, Header, Measured, Rows, Solver, Table, default_atlas};
-use lensbake_test_support::one_row;
+use lensbake_test_support::{coarse_atlas, one_row};
 use proptest::prelude::*;
 use std::sync::LazyLock;
 
@@ -25,13 +26,16 @@ const MOVEMENTS: [Movement; 8] = [
     Movement::OrbitRight,
 ];
 
-/// Tables to drop: the atlas, three of one observer each, and two that cannot be used.
-static TABLES: LazyLock<[Table; 6]> = LazyLock::new(|| {
+/// Tables to drop: the atlas, four of one observer each, an atlas without rows below the horizon, and two that cannot
+/// be used.
+static TABLES: LazyLock<[Table; 8]> = LazyLock::new(|| {
     [
         default_atlas().clone(),
         one_row(10.0),
         one_row(1.003),
         one_row(5000.0),
+        coarse_atlas(),
+        one_row(0.5),
         far(Axis::Residual),
         far(Axis::UniformB {
             b_min: 3.0,
@@ -40,7 +44,7 @@ static TABLES: LazyLock<[Table; 6]> = LazyLock::new(|| {
     ]
 });
 /// How many of the tables, from the first on, can be used.
-const USABLE: usize = 4;
+const USABLE: usize = 6;
 
 /// A table of the observer at infinity, where there can be no camera.
 fn far(axis: Axis) -> Table {
@@ -60,7 +64,10 @@ fn far(axis: Axis) -> Table {
     Table::new(header, vec![[0.0; 2]; 4]).unwrap()
 }
 
-fn named(index: usize) -> NamedTable {
+/// Index of the atlas without rows below the horizon.
+pub(super) const ABOVE_ONLY: usize = 4;
+
+pub(super) fn named(index: usize) -> NamedTable {
     NamedTable::new(TABLES[index].clone(), format!("/folder/table-{index}.lbt"))
 }
 
@@ -75,6 +82,8 @@ enum UserInput {
     /// Any number in any setting, whether or not the panel has a field for it.
     Type(usize, f64),
     Drop(usize),
+    Choose(Motion),
+    Wait(f64),
     Home,
 }
 
@@ -100,19 +109,37 @@ fn user_input() -> impl Strategy<Value = UserInput> {
         2 => (-200.0..200.0).prop_map(UserInput::Scroll),
         4 => (0..Settings::PARTS.len(), number()).prop_map(|(part, x)| UserInput::Type(part, x)),
         3 => (0..TABLES.len()).prop_map(UserInput::Drop),
+        3 => any_motion().prop_map(UserInput::Choose),
+        4 => (0.0..20.0).prop_map(UserInput::Wait),
         1 => Just(UserInput::Home),
+    ]
+}
+
+fn any_motion() -> impl Strategy<Value = Motion> {
+    let velocity = (-0.7..0.7, -0.7..0.7);
+    prop_oneof![
+        Just(Motion::Rest),
+        Just(Motion::Fall),
+        Just(Motion::Orbit),
+        velocity.prop_map(|(radial, tangential)| Motion::Velocity { radial, tangential }),
     ]
 }
 
 /// Any initial state that the flags allow, with a table that can be used for it.
 fn start() -> impl Strategy<Value = State> {
-    let radius = (-12.0..MAX_RADIUS.log10()).prop_map(|power| 1.0 + 10f64.powf(power) * 0.999);
+    let outside = || (-12.0..MAX_RADIUS.log10()).prop_map(|power| 1.0 + 10f64.powf(power) * 0.999);
+    let radius = (outside(), prop_oneof![2 => outside(), 1 => 0.01..1.0f64]);
     let fov_deg = prop_oneof![1e-4..179.9, Just(1e-4), Just(179.9)];
     let angle = || prop_oneof![-180.0..180.0, -1e6..1e6];
     let angles = (angle(), angle(), angle(), angle());
-    (0..USABLE, radius, fov_deg, angles).prop_map(|(table, radius, fov_deg, angles)| {
+    let scene = (radius, any_motion(), fov_deg, angles);
+    (0..USABLE, scene).prop_map(|(table, (radius, motion, fov_deg, angles))| {
+        let radius = [radius.1, 10.0, 1.003, 5000.0, radius.0, 0.5][table];
+        let possible = motion_choice::problem(radius, motion).is_none();
         let view = View {
-            radius: [radius, 10.0, 1.003, 5000.0][table],
+            radius,
+            motion: if possible { motion } else { Motion::Fall },
+            heading_deg: angles.0,
             fov_deg,
             yaw_deg: angles.0,
             pitch_deg: angles.1,
@@ -129,6 +156,11 @@ fn all_numbers(settings: &Settings, x: f64) -> Settings {
     Settings {
         view: View {
             radius: x,
+            motion: Motion::Velocity {
+                radial: x,
+                tangential: x,
+            },
+            heading_deg: x,
             fov_deg: x,
             yaw_deg: x,
             pitch_deg: x,
@@ -162,11 +194,14 @@ fn act(state: &mut State, action: &UserInput) {
             match state.take_table(named(table)) {
                 Ok(said) => assert!(table < USABLE && said.contains(&format!("table-{table}"))),
                 Err(refusal) => {
-                    assert!(table >= USABLE, "{refusal}");
+                    let no_rows = table == ABOVE_ONLY && state.settings.view.radius <= 1.0;
+                    assert!(table >= USABLE || no_rows, "{refusal}");
                     assert_eq!(state.table().short_name(), before.table().short_name());
                 }
             }
         }
+        UserInput::Choose(motion) => settings.choose_motion(motion),
+        UserInput::Wait(seconds) => drop(settings.advance(seconds)),
         UserInput::Home => drop(state.reset()),
     }
 }
@@ -229,10 +264,13 @@ proptest! {
             actions.iter().for_each(|action| act(&mut state, action));
             let wanted = state.settings.clone();
             let said = state.settle();
-            // Only numbers are reverted, and only with a message.
+            // Only these parts are reverted, and only with a message.
             let mut expected = wanted.clone();
-            for part in Settings::PARTS.iter().filter(|_| said.is_some()) {
-                part(&mut expected, &state.settings);
+            if said.is_some() {
+                for part in Settings::PARTS {
+                    part(&mut expected, &state.settings);
+                }
+                expected.fall = state.settings.fall;
             }
             prop_assert_eq!(&state.settings, &expected);
             prop_assert!(!frame(&mut state, &context), "{actions:?}: {:?}", state.settings);
@@ -253,7 +291,7 @@ proptest! {
     }
 }
 
-fn at(radius: f64, table: usize) -> State {
+pub(super) fn at(radius: f64, table: usize) -> State {
     let view = View {
         radius,
         ..View::default()
@@ -311,6 +349,8 @@ fn what_cannot_be_drawn_is_named() {
         (7, 1.5, "divider 1.5"),
         (9, f64::NAN, "exposure NaN"),
         (10, f64::NAN, "frame time NaN"),
+        (11, f64::NAN, "heading NaN"),
+        (12, 0.9, "a speed of 1.27"),
     ] {
         let before = state.settings.clone();
         act(&mut state, &UserInput::Type(part, x));
@@ -322,8 +362,8 @@ fn what_cannot_be_drawn_is_named() {
         let refusal = at(25.0, 0).take_table(named(index)).unwrap_err();
         refusal.to_string()
     };
-    let [far, axis] = [4, 5].map(refused);
-    assert!(far.contains("table-4.lbt holds one observer only"), "{far}");
+    let [far, axis] = [6, 7].map(refused);
+    assert!(far.contains("table-6.lbt holds one observer only"), "{far}");
     assert!(far.contains("radius inf is too far"), "{far}");
-    assert!(axis.contains("table-5.lbt: the table's axis"), "{axis}");
+    assert!(axis.contains("table-7.lbt: the table's axis"), "{axis}");
 }
