@@ -31,14 +31,14 @@ use rayon::prelude::*;
 pub fn render(scene: &Scene, row_done: impl Fn() + Sync) -> Picture {
     let (lens, sky) = (&scene.lens, scene.sky.as_ref());
     let camera = &lens.camera;
-    let filtered = FilteredPixels::new(lens, scene.shift);
+    let filtered = FilteredPixels::new(lens, scene.rendition);
     let pixels = by_pixel(camera, row_done, |column, row| match scene.sampling {
         Sampling::Single => single(scene, camera.direction(column, row)).to_array(),
         Sampling::Filtered => filtered.light(sky, column, row).truncate().to_array(),
     });
     let mut picture = Picture::new(camera.width, camera.height, pixels);
     if let Some(field) = &scene.stars {
-        stars::draw(&mut picture, lens, field, scene.shift);
+        stars::draw(&mut picture, lens, field, scene.rendition);
     }
     picture
 }
@@ -50,7 +50,7 @@ fn single(scene: &Scene, direction: DVec3) -> Vec3 {
         RayOutcome::Escapes(ray) => {
             let on_sky = scene.lens.camera.sky_from_hole * ray.direction;
             let light = scene.sky.sample(on_sky.as_vec3());
-            scene.shift.seen(light, ray.frequency_shift)
+            scene.rendition.seen(light, ray.frequency_shift)
         }
     }
 }

@@ -9,7 +9,7 @@
 use crate::footprint::Patch;
 use crate::lens::Lens;
 use crate::shadow::Shadow;
-use crate::shift::Shift;
+use crate::shift::{Rendition, Shift};
 use crate::sky::Sky;
 use glam::{DVec2, DVec3, Vec3, Vec4};
 use lensbake_core::RayOutcome;
@@ -51,16 +51,16 @@ enum Kind {
 #[derive(Debug, Clone, Copy)]
 pub struct FilteredPixels<'a> {
     lens: &'a Lens,
-    shift: Shift,
+    rendition: Rendition,
     shadow: Shadow,
 }
 
 impl<'a> FilteredPixels<'a> {
-    /// The filtered pixels of the picture through `lens`, with this frequency shift.
-    pub fn new(lens: &'a Lens, shift: Shift) -> Self {
+    /// The filtered pixels of the picture through `lens`, in this rendition.
+    pub fn new(lens: &'a Lens, rendition: Rendition) -> Self {
         FilteredPixels {
             lens,
-            shift,
+            rendition,
             shadow: Shadow::of(lens),
         }
     }
@@ -159,9 +159,12 @@ impl<'a> FilteredPixels<'a> {
         let sample = |direction: DVec3| sky.sample_level(direction.as_vec3(), taps.level as f32);
         let sum: Vec3 = taps.directions(footprint.direction).map(sample).sum();
         let light = sum / taps.count as f32;
-        match self.shift {
+        match self.rendition.shift {
             Shift::Off => light,
-            shift => shift.seen(light, self.lens.frequency_shift(patch.direction)),
+            _ => {
+                let shift = self.lens.frequency_shift(patch.direction);
+                self.rendition.seen(light, shift)
+            }
         }
         .extend(1.0)
     }
@@ -219,7 +222,7 @@ mod tests {
             for pixels in [0.2, 0.5, 1.1, 4.3, 15.0] {
                 let lens = lens(disc_view(radius, pixels), Deflection::Lut);
                 let edge = lens.camera.observer.shadow_angle();
-                let all = FilteredPixels::new(&lens, Shift::Off);
+                let all = FilteredPixels::new(&lens, Rendition::default());
                 let sum: f64 = (0..SIDE * SIDE)
                     .map(|i| all.light(&white, i % SIDE, i / SIDE))
                     .map(|light| {
@@ -255,7 +258,7 @@ mod tests {
         };
         let lens = lens(view, Deflection::Flat);
         let white = Sky::from_fn(1, |_| Vec3::ONE);
-        let pixels = FilteredPixels::new(&lens, Shift::Off);
+        let pixels = FilteredPixels::new(&lens, Rendition::default());
         let dark: f64 = (0..64 * 36)
             .map(|i| 1.0 - f64::from(pixels.light(&white, i % 64, i / 64).w))
             .sum();

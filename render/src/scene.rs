@@ -1,7 +1,7 @@
 //! A scene: a lens, the sky behind the hole, and point stars in front of that sky.
 
 use crate::lens::Lens;
-use crate::shift::Shift;
+use crate::shift::{Rendition, Shift};
 use crate::sky::Sky;
 use crate::stars::StarField;
 use std::sync::Arc;
@@ -28,8 +28,8 @@ pub struct Scene<S = Arc<Sky>, P = Arc<StarField>> {
     pub sky: S,
     /// The point stars, if any.
     pub stars: Option<P>,
-    /// What of the frequency shift is shown.
-    pub shift: Shift,
+    /// How the light of the sky becomes light of the picture.
+    pub rendition: Rendition,
 }
 
 impl<S, P> Scene<S, P> {
@@ -40,7 +40,7 @@ impl<S, P> Scene<S, P> {
             sampling: Sampling::Single,
             sky: sky.into(),
             stars: None,
-            shift: Shift::Off,
+            rendition: Rendition::default(),
         }
     }
 
@@ -49,9 +49,12 @@ impl<S, P> Scene<S, P> {
         Scene { sampling, ..self }
     }
 
-    /// The same scene with another kind of shift.
+    /// The same scene with this kind of frequency shift, with all of its brightness.
     pub fn with_shift(self, shift: Shift) -> Self {
-        Scene { shift, ..self }
+        Scene {
+            rendition: Rendition::of(shift),
+            ..self
+        }
     }
 
     /// The same scene with point stars.

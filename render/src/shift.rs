@@ -25,6 +25,49 @@ pub enum Shift {
     Colour,
 }
 
+/// How light of the sky becomes light of the picture: what of the frequency shift is shown, and a factor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rendition {
+    /// What of the frequency shift is shown.
+    pub shift: Shift,
+    /// Factor of all light, to make up for the brightness of the shift ([`crate::exposure::automatic`]) before the
+    /// picture is stored in 16-bit floats and before faint images of stars are left out. Without shift it is not used.
+    pub light_scale: f32,
+}
+
+impl Default for Rendition {
+    /// Without frequency shift.
+    fn default() -> Self {
+        Rendition::of(Shift::Off)
+    }
+}
+
+impl Rendition {
+    /// The rendition of this shift, with all of its brightness.
+    pub const fn of(shift: Shift) -> Self {
+        Rendition {
+            shift,
+            light_scale: 1.0,
+        }
+    }
+
+    /// The linear RGB light that is seen of `light` with the frequency shift `g`.
+    pub fn seen(self, light: Vec3, g: f64) -> Vec3 {
+        match self.shift {
+            Shift::Off => light,
+            shift => shift.seen(light, g) * self.light_scale,
+        }
+    }
+
+    /// Upper bound on the factor by which a channel of light changes that has a frequency shift of at most `g`.
+    pub fn largest_factor(self, g: f64) -> f64 {
+        match self.shift {
+            Shift::Off => 1.0,
+            shift => shift.largest_factor(g) * f64::from(self.light_scale),
+        }
+    }
+}
+
 /// Second radiation constant c₂ = hc/k, nm K.
 const C2: f64 = 1.438_777e7;
 /// Wavelengths of the channels, nm.
@@ -68,8 +111,7 @@ impl Shift {
         }
     }
 
-    /// Upper bound on the factor by which a channel of light changes that has a frequency shift of at most `g`.
-    pub fn largest_factor(self, g: f64) -> f64 {
+    fn largest_factor(self, g: f64) -> f64 {
         match self {
             Shift::Off => 1.0,
             Shift::Brightness => g.powi(4),

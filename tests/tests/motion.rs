@@ -10,7 +10,7 @@ use lensbake_render::gpu::Renderer;
 use lensbake_render::lens::Deflection;
 use lensbake_render::picture::Picture;
 use lensbake_render::scene::{Sampling, Scene};
-use lensbake_render::shift::Shift;
+use lensbake_render::shift::{Rendition, Shift};
 use lensbake_render::sky::{self, Sky, SkySource};
 use lensbake_render::stars::{StarField, hipparcos};
 use lensbake_tables::statistics::ErrorStatistics;
@@ -228,6 +228,38 @@ fn the_gpu_draws_what_the_cpu_draws() {
                 difference.over_two < 60,
                 "{motion} r {radius}: {difference:?}"
             );
+        }
+    }
+}
+
+/// Automatic exposure scales the light before the picture is stored, and the stars before the faint ones are left out. The
+/// picture is the one that is exposed afterwards, except for those stars and their halos.
+#[test]
+#[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
+fn the_light_of_a_rendition_is_scaled_as_by_an_exposure() {
+    let renderer = renderer();
+    let sky = smooth_sky();
+    for (radius, yaw_deg, shift) in [(1.0, 45.0, Shift::Brightness), (0.3, 120.0, Shift::Colour)] {
+        let lens = lens(&small(radius, Motion::Fall, yaw_deg), Deflection::Lut);
+        let stops = exposure::automatic(&lens, shift);
+        assert!(stops.abs() > 0.3, "{stops}");
+        let scene = Scene::new(lens, sky.clone())
+            .with_sampling(Sampling::Filtered)
+            .with_shift(shift);
+        let scaled = Scene {
+            rendition: Rendition {
+                shift,
+                light_scale: stops.exp2(),
+            },
+            ..scene.clone()
+        };
+        for draw in [
+            &(|scene: &Scene| cpu::render(scene, || ())) as &dyn Fn(&Scene) -> Picture,
+            &|scene: &Scene| on_gpu(&renderer, scene),
+        ] {
+            let (exposed, scaled) = (draw(&scene).srgb(stops), draw(&scaled).srgb(0.0));
+            let difference = PictureDifference::on_screen(&exposed, &scaled);
+            assert!(difference.max <= 1, "r {radius}: {difference:?}");
         }
     }
 }

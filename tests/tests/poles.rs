@@ -7,7 +7,7 @@ use lensbake_render::filter::FilteredPixels;
 use lensbake_render::lens::{Deflection, Lens};
 use lensbake_render::picture::Picture;
 use lensbake_render::scene::{Sampling, Scene};
-use lensbake_render::shift::Shift;
+use lensbake_render::shift::Rendition;
 use lensbake_render::sky::{Sky, grid};
 use lensbake_tables::default_atlas;
 use lensbake_tests::{on_gpu, renderer};
@@ -138,7 +138,7 @@ fn check_grid(scene: &Scene, picture: &Picture) {
             let direction = camera.sky_from_hole * light.escaped().unwrap().direction;
             scene.sky.sample(direction.as_vec3())
         }
-        Sampling::Filtered => FilteredPixels::new(&beside, Shift::Off)
+        Sampling::Filtered => FilteredPixels::new(&beside, Rendition::default())
             .light(&scene.sky, x, y)
             .truncate(),
     };

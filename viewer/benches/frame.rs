@@ -6,7 +6,6 @@ use lensbake_render::camera::View;
 use lensbake_render::gpu::{Gpu, Presenter, RealtimeRenderer, Renderer, StarsOnDevice};
 use lensbake_render::lens::Deflection;
 use lensbake_render::scene::Scene;
-use lensbake_render::shift::Shift;
 use lensbake_render::sky;
 use lensbake_render::stars::{StarField, hipparcos};
 use lensbake_tables::default_atlas;
@@ -44,7 +43,7 @@ fn prepare(c: &mut Criterion, name: &str, renderer: &Renderer, stars: Option<Sta
                     sampling: plan.sampling,
                     sky: sky.clone(),
                     stars: stars.clone(),
-                    shift: Shift::Off,
+                    rendition: plan.rendition,
                 };
                 realtime.show(&scene, plan.show);
                 presenter.show(plan.picture(), &plan.window, plan.presentation);

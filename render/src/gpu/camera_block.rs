@@ -3,6 +3,8 @@
 
 use crate::camera::Camera;
 use crate::shadow::Shadow;
+#[cfg(doc)]
+use crate::shift::Rendition;
 use glam::DVec3;
 use lensbake_tables::lookup::ShadowEdge;
 
@@ -28,12 +30,13 @@ pub struct CameraBlock {
     motion: [f32; 3],
     doppler: f32,
     redshifts: [f32; 2],
-    padding: [u32; 2],
+    light_scale: f32,
+    padding: u32,
 }
 
 impl CameraBlock {
-    /// The block of a camera that sees this shadow.
-    pub fn new(camera: &Camera, shadow: Shadow) -> Self {
+    /// The block of a camera that sees this shadow, with the factor [`Rendition::light_scale`].
+    pub fn new(camera: &Camera, shadow: Shadow, light_scale: f32) -> Self {
         let vector = |v: DVec3| v.as_vec3().to_array();
         let edge = ShadowEdge::of(&camera.observer);
         CameraBlock {
@@ -57,7 +60,8 @@ impl CameraBlock {
                 .map_or([0.0; 3], |b| b.direction.map(|x| x as f32)),
             doppler: camera.boost.map_or(1.0, |b| b.doppler) as f32,
             redshifts: camera.observer.redshifts().map(|z| z as f32),
-            padding: [0; 2],
+            light_scale,
+            padding: 0,
         }
     }
 }
@@ -108,6 +112,7 @@ mod tests {
             motion,
             doppler,
             redshifts,
+            light_scale,
         );
         assert_layout!(
             &source,

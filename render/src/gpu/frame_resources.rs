@@ -16,7 +16,7 @@ use crate::lens::Lens;
 use crate::scene::Sampling;
 use crate::shaders::TILE;
 use crate::shadow::Shadow;
-use crate::shift::Shift;
+use crate::shift::Rendition;
 use lensbake_tables::lookup::{GpuRow, HorizonSide, RowShape};
 use lensbake_tables::{Interpolation, Row};
 use std::sync::Arc;
@@ -159,6 +159,7 @@ impl FrameResources {
         &mut self,
         lens: &Lens,
         sampling: Sampling,
+        rendition: Rendition,
         regions: impl Iterator<Item = Region>,
         gain: f32,
     ) {
@@ -166,7 +167,7 @@ impl FrameResources {
         self.regions.extend(regions);
         self.make_room(lens.row.shape(), sampling);
         let queue = &self.gpu.queue;
-        let camera = CameraBlock::new(&lens.camera, Shadow::of(lens));
+        let camera = CameraBlock::new(&lens.camera, Shadow::of(lens), rendition.light_scale);
         queue.write_buffer(&self.camera, 0, bytemuck::bytes_of(&camera));
         let regions = self.regions.iter().zip(tile_queues::offsets(&self.regions));
         for (i, (region, (queues, tiles))) in regions.enumerate() {
@@ -192,7 +193,7 @@ impl FrameResources {
 
     /// Sets the stars that the next dispatches draw through `lens`. Their lists are created anew only for other
     /// stars.
-    pub(super) fn show_stars(&mut self, lens: &Lens, stars: &StarsOnDevice, shift: Shift) {
+    pub(super) fn show_stars(&mut self, lens: &Lens, stars: &StarsOnDevice, rendition: Rendition) {
         if self.stars.as_ref().is_none_or(|lists| !lists.are_of(stars)) {
             let size = [lens.camera.width, lens.camera.height];
             let size = match &self.target {
@@ -207,7 +208,7 @@ impl FrameResources {
             self.stars = Some(StarLists::new(&self.gpu, layouts, programs, stars, size));
         }
         if let Some(lists) = &mut self.stars {
-            lists.show(lens, shift);
+            lists.show(lens, rendition);
         }
     }
 

@@ -8,7 +8,7 @@ use super::source::{Output, PipelineKey, Store};
 use super::{GpuError, Passes, Region, ResidentScene, SkyOnDevice};
 use crate::lens::Lens;
 use crate::scene::Sampling;
-use crate::shift::Shift;
+use crate::shift::{Rendition, Shift};
 use std::sync::Arc;
 use wgpu::*;
 
@@ -33,15 +33,15 @@ impl Prepared {
             output,
             Store::Buffer,
             scene.stars.is_some(),
-            scene.shift,
+            scene.rendition.shift,
         );
         let mut prepared = Prepared {
             program: renderer.program(key),
             sky: Some(scene.sky.clone()),
-            resources: resources(renderer, lens, scene.sampling),
+            resources: resources(renderer, lens, scene.sampling, scene.rendition),
         };
         if let Some(stars) = &scene.stars {
-            prepared.resources.show_stars(lens, stars, scene.shift);
+            prepared.resources.show_stars(lens, stars, scene.rendition);
         }
         prepared
     }
@@ -57,7 +57,7 @@ impl Prepared {
                 Shift::Off,
             )),
             sky: None,
-            resources: resources(renderer, lens, Sampling::Single),
+            resources: resources(renderer, lens, Sampling::Single, Rendition::default()),
         }
     }
 
@@ -80,13 +80,24 @@ impl Prepared {
     }
 }
 
-fn resources(renderer: &Renderer, lens: &Lens, sampling: Sampling) -> FrameResources {
+fn resources(
+    renderer: &Renderer,
+    lens: &Lens,
+    sampling: Sampling,
+    rendition: Rendition,
+) -> FrameResources {
     let size = [lens.camera.width, lens.camera.height];
     let most = BUFFERED.min(dispatch_pixels(lens.deflection));
     let rows = (most / size[0]).clamp(1, size[1]);
     let pixels = u64::from(rows) * u64::from(size[0]);
     let mut resources = FrameResources::on_buffer(renderer, pixels);
-    resources.show(lens, sampling, Region::whole(size).bands(most), 1.0);
+    resources.show(
+        lens,
+        sampling,
+        rendition,
+        Region::whole(size).bands(most),
+        1.0,
+    );
     resources
 }
 

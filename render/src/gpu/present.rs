@@ -118,7 +118,7 @@ impl Presenter {
             EdgeMode::Redrawn(shadow) => shadow,
         };
         let (window_camera, shadow) = shadow.apparent(window);
-        let camera = CameraBlock::new(&window_camera, shadow);
+        let camera = CameraBlock::new(&window_camera, shadow, 1.0);
         let present = Present {
             picture,
             divider: presentation.divider.unwrap_or(NO_DIVIDER),

@@ -142,7 +142,7 @@ impl RealtimeRenderer {
                 row,
                 scene.stars.is_some(),
                 motion,
-                scene.shift,
+                scene.rendition.shift,
             );
             let program = self.renderer.program(key);
             for region in part.bands(dispatch_pixels(deflection)) {
@@ -155,9 +155,9 @@ impl RealtimeRenderer {
             FrameContent::Picture | FrameContent::Split { .. } => scene.sampling,
         };
         self.resources
-            .show(lens, sampling, regions.into_iter(), gain);
+            .show(lens, sampling, scene.rendition, regions.into_iter(), gain);
         if let Some(stars) = &scene.stars {
-            self.resources.show_stars(lens, stars, scene.shift);
+            self.resources.show_stars(lens, stars, scene.rendition);
         }
         self.sky = Some(scene.sky.clone());
     }

@@ -93,7 +93,7 @@ impl Renderer {
             sampling: scene.sampling,
             sky,
             stars,
-            shift: scene.shift,
+            rendition: scene.rendition,
         })
     }
 

@@ -165,7 +165,7 @@ mod tests {
     use crate::gpu::{Gpu, Renderer, SkyOnDevice};
     use crate::lens::{Deflection, Lens};
     use crate::scene::Sampling;
-    use crate::shift::Shift;
+    use crate::shift::{Rendition, Shift};
     use crate::sky::Sky;
     use glam::Vec3;
     use lensbake_core::Motion;
@@ -189,7 +189,13 @@ mod tests {
             .max();
         let most = u64::from(pixels.unwrap());
         let mut resources = FrameResources::on_buffer(renderer, most);
-        resources.show(lens, Sampling::Filtered, regions.iter().copied(), 1.0);
+        resources.show(
+            lens,
+            Sampling::Filtered,
+            Rendition::default(),
+            regions.iter().copied(),
+            1.0,
+        );
         let output = Output::Picture(Sampling::Filtered);
         let program = renderer.program(PipelineKey::of(
             lens,
@@ -287,7 +293,7 @@ mod tests {
                 let camera = Camera::new(&view).unwrap();
                 let lens = Lens::new(camera, default_atlas(), deflection).unwrap();
                 let queues = classified(&renderer, &lens, &sky, &[whole]);
-                let pixels = FilteredPixels::new(&lens, Shift::Off);
+                let pixels = FilteredPixels::new(&lens, Rendition::default());
                 for (class, queue) in CLASSES.iter().zip(&queues) {
                     for (tile, i) in queue.iter().flat_map(|t| (0..64).map(move |i| (t, i))) {
                         let column = TILE * (tile & 0xffff) + i % TILE;

@@ -29,6 +29,8 @@ struct Camera {
     doppler: f32,
     // Redshift factors ν_∞/ν_obs of the observer of the row, in the direction of the hole and straight away.
     redshifts: vec2<f32>,
+    // Factor of all light with a frequency shift: Rendition.light_scale.
+    light_scale: f32,
 }
 
 @group(0) @binding(0) var<uniform> camera: Camera;

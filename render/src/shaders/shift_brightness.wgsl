@@ -5,5 +5,5 @@
 // sees it.
 fn seen_light(light: vec3<f32>, d: vec3<f32>) -> vec3<f32> {
     let g = frequency_shift(d);
-    return light * (g * g * g * g);
+    return light * (g * g * g * g * camera.light_scale);
 }

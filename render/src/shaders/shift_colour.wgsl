@@ -17,5 +17,5 @@ fn seen_light(light: vec3<f32>, d: vec3<f32>) -> vec3<f32> {
     let inverse_temperature = clamp(WHITE_BODY - log(ratio) / BLUE_OVER_RED, HOTTEST, COLDEST);
     let change = inverse_temperature * (1.0 / g - 1.0);
     let shifted = light * vec3(1.0, exp(-GREEN_OVER_RED * change), exp(-BLUE_OVER_RED * change));
-    return shifted * (before * g * g * g * g / max(luminance(shifted), 1e-30));
+    return shifted * (before * g * g * g * g * camera.light_scale / max(luminance(shifted), 1e-30));
 }

@@ -7,7 +7,7 @@ use super::image_bounds::ImageBounds;
 use super::images::{ImageOrder, InverseLens, MIN_LIGHT};
 use super::{PointStar, StarField};
 use crate::camera::{Camera, ViewAngle};
-use crate::shift::Shift;
+use crate::shift::Rendition;
 use crate::sky::{face_coordinates, texel_direction};
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
@@ -119,12 +119,12 @@ impl Cells {
         &self,
         camera: &Camera,
         lens: &InverseLens,
-        shift: Shift,
+        rendition: Rendition,
         candidates: &mut Candidates,
     ) {
         candidates.points.clear();
         candidates.arcs.clear();
-        let frustum = Frustum::of(camera, shift);
+        let frustum = Frustum::of(camera, rendition);
         let orders = ImageBounds::of(lens, self.disc_radius);
         for cell in &self.cells {
             self.append(candidates, cell, &frustum, &orders);
@@ -204,6 +204,7 @@ mod tests {
     use super::*;
     use crate::camera::View;
     use crate::lens::{Deflection, Lens};
+    use crate::shift::Shift;
     use crate::stars::draw::observed;
     use crate::stars::hipparcos;
     use lensbake_core::Motion;
@@ -369,14 +370,15 @@ mod tests {
             let lens = Lens::new(camera, default_atlas(), method).unwrap();
             let inverse = InverseLens::of(&lens);
             let mut candidates = Candidates::default();
-            cells.find(&camera, &inverse, shift, &mut candidates);
+            let rendition = Rendition::of(shift);
+            cells.find(&camera, &inverse, rendition, &mut candidates);
             let kept: HashSet<Candidate> = candidates.points.iter().copied().collect();
             assert_eq!(
                 kept.len(),
                 candidates.points.len(),
                 "an image is there twice"
             );
-            for (star, order) in images_seen(&lens, &inverse, shift, &cells) {
+            for (star, order) in images_seen(&lens, &inverse, rendition, &cells) {
                 assert!(
                     kept.contains(&Candidate::new(star, order)),
                     "r {radius}, yaw {yaw_deg}, {motion}: {:?} by order {order}",
@@ -400,7 +402,7 @@ mod tests {
     fn images_seen(
         lens: &Lens,
         inverse: &InverseLens,
-        shift: Shift,
+        rendition: Rendition,
         cells: &Cells,
     ) -> Vec<(u32, usize)> {
         let camera = &lens.camera;
@@ -411,7 +413,7 @@ mod tests {
             for (order, image) in images.flatten().enumerate() {
                 let Some(image) = image else { continue };
                 let light = star.light * image.magnification as f32;
-                let (direction, light) = observed(lens, shift, image.direction, light);
+                let (direction, light) = observed(lens, rendition, image.direction, light);
                 if light.max_element() >= MIN_LIGHT && camera.pixel(direction).is_some() {
                     seen.push((index, order));
                 }

@@ -6,7 +6,7 @@ use super::kernel::{spread, weight};
 use super::{PointStar, StarField};
 use crate::lens::Lens;
 use crate::picture::Picture;
-use crate::shift::Shift;
+use crate::shift::{Rendition, Shift};
 use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
@@ -22,17 +22,17 @@ pub struct Splat {
 }
 
 /// Adds the stars of `field`, seen through `lens`, to `picture`.
-pub fn draw(picture: &mut Picture, lens: &Lens, field: &StarField, shift: Shift) {
-    for splat in splats(lens, field, shift) {
+pub fn draw(picture: &mut Picture, lens: &Lens, field: &StarField, rendition: Rendition) {
+    for splat in splats(lens, field, rendition) {
         add(picture, &splat);
     }
 }
 
-/// The splats of the stars of `field`, seen through `lens`, with this frequency shift.
-pub fn splats(lens: &Lens, field: &StarField, shift: Shift) -> Vec<Splat> {
+/// The splats of the stars of `field`, seen through `lens`, in this rendition.
+pub fn splats(lens: &Lens, field: &StarField, rendition: Rendition) -> Vec<Splat> {
     let inverse = InverseLens::of(lens);
     let per_star = |star: &PointStar| {
-        let mut drawing = Drawing::new(lens, &inverse, field.disc_radius, shift);
+        let mut drawing = Drawing::new(lens, &inverse, field.disc_radius, rendition);
         drawing.add_points(star);
         drawing.add_arcs(star);
         drawing.splats
@@ -46,9 +46,9 @@ pub fn arc_splats<'a>(
     inverse: &InverseLens,
     stars: impl Iterator<Item = &'a PointStar>,
     disc_radius: f64,
-    shift: Shift,
+    rendition: Rendition,
 ) -> Vec<Splat> {
-    let mut drawing = Drawing::new(lens, inverse, disc_radius, shift);
+    let mut drawing = Drawing::new(lens, inverse, disc_radius, rendition);
     for star in stars {
         drawing.add_arcs(star);
     }
@@ -60,17 +60,22 @@ struct Drawing<'a> {
     lens: &'a Lens,
     inverse: &'a InverseLens,
     disc_radius: f64,
-    shift: Shift,
+    rendition: Rendition,
     splats: Vec<Splat>,
 }
 
 impl<'a> Drawing<'a> {
-    fn new(lens: &'a Lens, inverse: &'a InverseLens, disc_radius: f64, shift: Shift) -> Self {
+    fn new(
+        lens: &'a Lens,
+        inverse: &'a InverseLens,
+        disc_radius: f64,
+        rendition: Rendition,
+    ) -> Self {
         Drawing {
             lens,
             inverse,
             disc_radius,
-            shift,
+            rendition,
             splats: Vec::new(),
         }
     }
@@ -81,14 +86,15 @@ impl<'a> Drawing<'a> {
             let mut bright = false;
             for image in pair.into_iter().flatten() {
                 let light = magnified(star.light, image.magnification);
-                let (direction, light) = observed(self.lens, self.shift, image.direction, light);
+                let (direction, light) =
+                    observed(self.lens, self.rendition, image.direction, light);
                 if light.max_element() >= MIN_LIGHT {
                     bright = true;
                     self.add(direction, light);
                 }
             }
             // The higher image orders are fainter, unless motion or shift brighten another part of the view.
-            let is_even = self.shift == Shift::Off && self.lens.camera.boost.is_none();
+            let is_even = self.rendition.shift == Shift::Off && self.lens.camera.boost.is_none();
             if !bright && is_even {
                 break;
             }
@@ -102,7 +108,7 @@ impl<'a> Drawing<'a> {
         let px = camera.right.length() / camera.boost.map_or(1.0, |boost| boost.doppler);
         arcs(inverse, direction, disc_radius, px, |piece| {
             let light = magnified(star.light, piece.magnification);
-            let (direction, light) = observed(self.lens, self.shift, piece.direction, light);
+            let (direction, light) = observed(self.lens, self.rendition, piece.direction, light);
             self.add(direction, light);
         });
     }
@@ -126,11 +132,16 @@ impl<'a> Drawing<'a> {
 /// The light of a point, which the observer of the row sees in the unit direction `direction` without frequency shift, as
 /// the camera of `lens` sees it: its direction and its light. The solid angle of a small image, and with it its light,
 /// shrinks by the square of the ratio of the frequencies.
-pub(super) fn observed(lens: &Lens, shift: Shift, direction: DVec3, light: Vec3) -> (DVec3, Vec3) {
+pub(super) fn observed(
+    lens: &Lens,
+    rendition: Rendition,
+    direction: DVec3,
+    light: Vec3,
+) -> (DVec3, Vec3) {
     let (seen, doppler) = lens.camera.boosted(direction);
-    let light = match shift {
+    let light = match rendition.shift {
         Shift::Off => light,
-        shift => shift.seen(light, lens.frequency_shift(direction)),
+        _ => rendition.seen(light, lens.frequency_shift(direction)),
     };
     (seen, light / (doppler * doppler) as f32)
 }

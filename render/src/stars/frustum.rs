@@ -4,7 +4,7 @@ use super::image_bounds::Bounds;
 use super::images::view_direction;
 use super::kernel::REACHES;
 use crate::camera::{Camera, ViewAngle};
-use crate::shift::Shift;
+use crate::shift::{Rendition, Shift};
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 
@@ -31,14 +31,14 @@ impl ImageCircle {
 /// The view frustum of a picture, with a margin for the widest point-spread kernel.
 pub(super) struct Frustum<'a> {
     pub(super) camera: &'a Camera,
-    shift: Shift,
+    rendition: Rendition,
     /// Inward unit normals of its sides.
     sides: [DVec3; 4],
     margin: f64,
 }
 
 impl<'a> Frustum<'a> {
-    pub(super) fn of(camera: &'a Camera, shift: Shift) -> Self {
+    pub(super) fn of(camera: &'a Camera, rendition: Rendition) -> Self {
         let half = |step: DVec3, side: u32| step * (0.5 * f64::from(side));
         let (right, down) = (
             half(camera.right, camera.width),
@@ -52,7 +52,7 @@ impl<'a> Frustum<'a> {
         };
         Frustum {
             camera,
-            shift,
+            rendition,
             sides: [side(right), side(-right), side(down), side(-down)],
             margin: REACHES[REACHES.len() - 1] * camera.right.length(),
         }
@@ -60,14 +60,14 @@ impl<'a> Frustum<'a> {
 
     /// Whether neither motion nor shift change the light of images unequally.
     pub(super) fn is_even(&self) -> bool {
-        self.camera.boost.is_none() && self.shift == Shift::Off
+        self.camera.boost.is_none() && self.rendition.shift == Shift::Off
     }
 
     /// Upper bound on the factor by which aberration and frequency shift change the light of a star in the image.
     pub(super) fn largest_factor(&self, image: &ImageCircle) -> f64 {
         let (low, high) = self.camera.doppler_bounds(image.middle, image.radius);
         let by_aberration = 1.0 / (low * low);
-        if self.shift == Shift::Off {
+        if self.rendition.shift == Shift::Off {
             return by_aberration;
         }
         let theta = ViewAngle::of(image.middle).radians();
@@ -77,7 +77,7 @@ impl<'a> Frustum<'a> {
             if g > 0.0 { g } else { f64::INFINITY }
         };
         let radial = shift(theta - image.radius).max(shift(theta + image.radius));
-        self.shift.largest_factor(high * radial) * by_aberration
+        self.rendition.largest_factor(high * radial) * by_aberration
     }
 
     /// Whether part of the image may be in the picture.

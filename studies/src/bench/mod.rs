@@ -20,7 +20,7 @@ use lensbake_render::gpu::{
 };
 use lensbake_render::lens::{Deflection, Lens, LensError};
 use lensbake_render::scene::Scene;
-use lensbake_render::shift::Shift;
+use lensbake_render::shift::Rendition;
 use lensbake_render::sky::Sky;
 use lensbake_render::stars::StarField;
 use lensbake_tables::Table;
@@ -204,7 +204,7 @@ impl Flight<'_> {
             sampling: contender.sampling,
             sky: self.sky.clone(),
             stars: contender.stars.then(|| self.stars.clone()),
-            shift: Shift::Off,
+            rendition: Rendition::default(),
         };
         self.realtime.show(&scene, FrameContent::Picture);
         let gpu = self.timer.time(&self.realtime).await?.gpu;

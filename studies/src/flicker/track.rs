@@ -6,6 +6,7 @@ use lensbake_render::gpu::Renderer;
 use lensbake_render::lens::Lens;
 use lensbake_render::picture::Picture;
 use lensbake_render::scene::Scene;
+use lensbake_render::shift::Rendition;
 use lensbake_render::sky::Sky;
 use lensbake_render::stars::{self, PointStar};
 use rayon::prelude::*;
@@ -118,7 +119,8 @@ fn as_texel(lens: &Lens, texel: Texel, sky: &Arc<Sky>, expected: Expected) -> Te
 fn point(lens: &Lens, subject: &Subject) -> f64 {
     let camera = &lens.camera;
     let mut picture = Picture::new(camera.width, camera.height, vec![[0.0; 3]; camera.pixels()]);
-    stars::draw(&mut picture, lens, &subject.field, shift(lens));
+    let rendition = Rendition::of(shift(lens));
+    stars::draw(&mut picture, lens, &subject.field, rendition);
     light_of(&picture, subject.point())
 }
 

@@ -4,7 +4,7 @@ use glam::Vec3;
 use lensbake_render::filter::FilteredPixels;
 use lensbake_render::lens::Lens;
 use lensbake_render::picture::{Picture, srgb_from_linear};
-use lensbake_render::shift::Shift;
+use lensbake_render::shift::Rendition;
 use lensbake_render::tone_map::tone_map;
 
 /// Distance from the shadow's edge, in pixels, below which a pixel that sees sky is beside the edge.
@@ -34,7 +34,7 @@ impl PictureError {
     /// The error of `picture`, drawn through `lens`, against `reference`.
     pub fn of(lens: &Lens, picture: &Picture, reference: &Picture) -> Self {
         let camera = &lens.camera;
-        let pixels = FilteredPixels::new(lens, Shift::Off);
+        let pixels = FilteredPixels::new(lens, Rendition::default());
         let (mut whole, mut beside_edge) = (MeanError::default(), MeanError::default());
         let pairs = picture.pixels().iter().zip(reference.pixels());
         for (i, (a, b)) in (0..).zip(pairs) {

@@ -10,7 +10,7 @@ use lensbake_render::lens::{Deflection, Lens};
 use lensbake_render::model::DEFAULT_BUDGET_PX;
 use lensbake_render::picture::{Picture, PictureFormat, WithoutValue};
 use lensbake_render::scene::{Sampling, Scene};
-use lensbake_render::shift::Shift;
+use lensbake_render::shift::Rendition;
 use lensbake_render::sky;
 use lensbake_render::stars::StarSource;
 use lensbake_render::{cpu, exposure};
@@ -51,20 +51,17 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
             lens = least::lens_of(choice, &lens);
         }
     }
+    let (rendition, exposure) = exposed(args, &lens, file.format);
     let scene = Scene {
         lens,
         sampling,
         sky: sky.into(),
         stars: stars.map(Into::into),
-        shift: args.scene.view.shift.into(),
+        rendition,
     };
     let started = Instant::now();
     let (picture, device) = draw(gpu, args.scene.device, &scene)?;
     let seconds = started.elapsed().as_secs_f64();
-    let exposure = match args.exposure {
-        Exposure::Stops(stops) => stops,
-        Exposure::Automatic => exposure::automatic(&scene.lens, scene.shift),
-    };
     file.write(&picture, exposure)?;
     message!("drawn on {device} in {seconds:.3} s");
     if scene.sampling == Sampling::Filtered {
@@ -77,6 +74,22 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     }
     printer.finish()?;
     Ok(outcome)
+}
+
+/// The rendition of the picture, and the exposure of its file in stops. Automatic exposure is part of the rendition of a
+/// .png; an .exr keeps all light.
+fn exposed(args: &RenderArgs, lens: &Lens, format: PictureFormat) -> (Rendition, f32) {
+    let shift = args.scene.view.shift.into();
+    match args.exposure {
+        Exposure::Stops(stops) => (Rendition::of(shift), stops),
+        Exposure::Automatic if format == PictureFormat::OpenExr => (Rendition::of(shift), 0.0),
+        Exposure::Automatic => {
+            let stops = exposure::automatic(lens, shift);
+            message!("automatic exposure: {stops:.1} stops");
+            let light_scale = stops.exp2();
+            (Rendition { shift, light_scale }, 0.0)
+        }
+    }
 }
 
 /// The output file of a picture, checked before the picture is drawn.
@@ -120,7 +133,7 @@ fn report_lost_pixels(lost: WithoutValue, picture: &Picture, method: Deflection)
 /// The number of extra rays for the pixels beside the shadow's edge, as text.
 fn extra_rays(lens: &Lens) -> String {
     let camera = &lens.camera;
-    let pixels = FilteredPixels::new(lens, Shift::Off);
+    let pixels = FilteredPixels::new(lens, Rendition::default());
     let extra = cpu::by_pixel(camera, || (), |column, row| pixels.extra_rays(column, row));
     let extra: u64 = extra.into_iter().map(u64::from).sum();
     let percent = 100.0 * extra as f64 / camera.pixels() as f64;

@@ -5,7 +5,7 @@ use lensbake_render::camera::{Camera, CameraError, View};
 use lensbake_render::gpu::{FrameContent, Presentation};
 use lensbake_render::lens::{Lens, LensError};
 use lensbake_render::scene::Sampling;
-use lensbake_render::shift::Shift;
+use lensbake_render::shift::Rendition;
 use lensbake_tables::Table;
 use thiserror::Error;
 
@@ -16,8 +16,8 @@ pub struct Plan {
     pub lens: Lens,
     /// How a pixel samples its area.
     pub sampling: Sampling,
-    /// What of the frequency shift is shown.
-    pub shift: Shift,
+    /// How the light of the sky becomes light of the picture.
+    pub rendition: Rendition,
     /// What the frame shows: one method, a split view, or a difference.
     pub show: FrameContent,
     /// The camera at the resolution of the window.
@@ -63,7 +63,7 @@ impl Plan {
             window: camera(window)?,
             presentation: settings.presentation(window[0], &lens),
             sampling: settings.sampling,
-            shift: settings.shift,
+            rendition: settings.rendition(&lens),
             lens,
         })
     }

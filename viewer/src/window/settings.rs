@@ -12,7 +12,7 @@ use lensbake_render::gpu::{EdgeMode, FrameContent, Presentation};
 use lensbake_render::lens::{Deflection, Lens};
 use lensbake_render::scene::Sampling;
 use lensbake_render::shadow::Shadow;
-use lensbake_render::shift::Shift;
+use lensbake_render::shift::{Rendition, Shift};
 use std::ops::RangeInclusive;
 use std::time::Duration;
 use thiserror::Error;
@@ -214,11 +214,15 @@ impl Settings {
         }
     }
 
-    /// What the automatic exposure adds, stops.
-    fn automatic_exposure(&self, lens: &Lens) -> f32 {
-        match self.auto_exposure {
+    /// How the light of the sky becomes light of the picture of `lens`.
+    pub fn rendition(&self, lens: &Lens) -> Rendition {
+        let stops = match self.auto_exposure {
             true => exposure::automatic(lens, self.shift),
             false => 0.0,
+        };
+        Rendition {
+            shift: self.shift,
+            light_scale: stops.exp2(),
         }
     }
 
@@ -234,7 +238,7 @@ impl Settings {
         Presentation {
             edge,
             divider: self.is_split().then(|| self.divider_column(width)),
-            exposure: self.exposure + self.automatic_exposure(lens),
+            exposure: self.exposure,
         }
     }
 

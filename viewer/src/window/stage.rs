@@ -236,7 +236,7 @@ impl Stage {
             sampling: plan.sampling,
             sky: self.sky.clone(),
             stars: self.stars.clone(),
-            shift: plan.shift,
+            rendition: plan.rendition,
         };
         self.realtime.show(&scene, plan.show);
         self.stopwatch.submit(&self.gpu, &self.realtime)

@@ -13,7 +13,7 @@ use crate::gpu::source::MotionKey;
 use crate::gpu::{CameraBlock, Gpu, GpuError};
 use crate::lens::{Deflection, Lens};
 use crate::shadow::Shadow;
-use crate::shift::Shift;
+use crate::shift::Rendition;
 use crate::stars::cells::Candidates;
 use crate::stars::draw::arc_splats;
 use crate::stars::images::InverseLens;
@@ -127,7 +127,7 @@ impl StarLists {
 
     /// Sets what the next lists contain: the stars as seen through `lens`. The inverse row is computed again only
     /// for another row or deflection method.
-    pub(in crate::gpu) fn show(&mut self, lens: &Lens, shift: Shift) {
+    pub(in crate::gpu) fn show(&mut self, lens: &Lens, rendition: Rendition) {
         let is_shown = |(deflection, row, _): &(Deflection, Row, InverseLens)| {
             *deflection == lens.deflection && *row == lens.row
         };
@@ -135,21 +135,21 @@ impl StarLists {
         let shown =
             shown.unwrap_or_else(|| (lens.deflection, lens.row.clone(), InverseLens::of(lens)));
         let (inverse, cells, found) = (&shown.2, &self.stars.0.cells, &mut self.found);
-        cells.find(&lens.camera, inverse, shift, found);
+        cells.find(&lens.camera, inverse, rendition, found);
         let radius = cells.disc_radius();
         let points = &found.points[..found.points.len().min(CANDIDATES)];
         let on_axis = found.arcs.iter().map(|i| &cells.stars()[*i as usize]);
-        let splats = arc_splats(lens, inverse, on_axis, radius, shift);
+        let splats = arc_splats(lens, inverse, on_axis, radius, rendition);
         let pieces: Vec<Piece> = splats.iter().take(PIECES).map(Piece::from).collect();
         self.full = found.points.len() > CANDIDATES || splats.len() > PIECES;
         let counts = [points.len(), pieces.len()].map(|n| n as u32);
         self.invocations = counts.iter().sum();
         let block = InverseLensBlock::new(inverse, radius, counts);
-        let camera = CameraBlock::new(&lens.camera, Shadow::of(lens));
+        let camera = CameraBlock::new(&lens.camera, Shadow::of(lens), rendition.light_scale);
         self.list = self.programs.list(ListKey {
             bent: matches!(inverse, InverseLens::Bent(_)),
             motion: MotionKey::of(&lens.camera).of_stars(),
-            shift,
+            shift: rendition.shift,
         });
         let write = |buffer, bytes| self.queue.write_buffer(buffer, 0, bytes);
         write(&self.camera, bytemuck::bytes_of(&camera));
