@@ -294,6 +294,7 @@ fn direct_integration_meets_the_table_below_the_horizon() {
         (3.0, Motion::Fall, 60.0),
         (1.0, Motion::Fall, 90.0),
         (0.5, Motion::Fall, 120.0),
+        (0.3, Motion::Fall, 60.0),
         (3.0, Motion::Orbit, 60.0),
     ] {
         let view = small(radius, motion, yaw_deg);
