@@ -8,7 +8,7 @@ use rayon::prelude::*;
 /// Least fraction of the frames in which a star's first image must be in the picture.
 const MIN_PART: f64 = 0.1;
 /// Largest number of stars that are tried per star wanted.
-const TRIES: usize = 4;
+const TRIES: usize = 32;
 
 /// A star and its analytic curve.
 #[derive(Debug, Clone, PartialEq)]
