@@ -39,17 +39,18 @@ pub const FILTERED_FALL: Contender = FILTERED.in_motion(Motion::Fall);
 /// As [`LUT_ORBIT`], the mean over each pixel.
 pub const FILTERED_ORBIT: Contender = FILTERED.in_motion(Motion::Orbit);
 
-/// All contenders; direct integration in the order of its number of steps.
+/// All contenders; direct integration in the order of its number of steps. Those that are compared with one another follow
+/// one another: star lists leave cold caches behind.
 pub const CONTENDERS: [Contender; 12] = [
     FLAT,
     LUT,
-    FILTERED,
-    LUT.with_stars(),
-    FILTERED.with_stars(),
     LUT_FALL,
     LUT_ORBIT,
+    FILTERED,
     FILTERED_FALL,
     FILTERED_ORBIT,
+    LUT.with_stars(),
+    FILTERED.with_stars(),
     plain(Deflection::Direct { step: 0.2 }),
     plain(Deflection::Direct { step: 0.1 }),
     FINEST,
