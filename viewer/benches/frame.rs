@@ -2,6 +2,7 @@
 //! frame has a new radius and therefore a new row of the table.
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use lensbake_core::Motion;
 use lensbake_render::camera::View;
 use lensbake_render::gpu::{Gpu, Presenter, RealtimeRenderer, Renderer, StarsOnDevice};
 use lensbake_render::lens::Deflection;
@@ -19,15 +20,29 @@ const WINDOW: [u32; 2] = [1920, 1080];
 fn preparation(c: &mut Criterion) {
     let renderer = Renderer::new(&block_on(Gpu::open()).unwrap());
     let stars = StarField::new(&hipparcos(), 0.0);
-    prepare(c, "prepare a frame with a new radius", &renderer, None);
+    let settings = Settings::new(View::default(), Deflection::DEFAULT_STEP);
+    let view = View {
+        motion: Motion::Fall,
+        ..View::default()
+    };
+    let falling = Settings::new(view, Deflection::DEFAULT_STEP);
+    let name = "prepare a frame with a new radius";
+    prepare(c, name, &renderer, settings.clone(), None);
+    prepare(c, "the same in free fall", &renderer, falling, None);
     let stars = renderer.upload_stars(&stars);
-    prepare(c, "the same with 117,955 stars", &renderer, Some(stars));
+    let name = "the same at rest with 117,955 stars";
+    prepare(c, name, &renderer, settings, Some(stars));
 }
 
-fn prepare(c: &mut Criterion, name: &str, renderer: &Renderer, stars: Option<StarsOnDevice>) {
+fn prepare(
+    c: &mut Criterion,
+    name: &str,
+    renderer: &Renderer,
+    mut settings: Settings,
+    stars: Option<StarsOnDevice>,
+) {
     let gpu = renderer.gpu().clone();
     let sky = block_on(renderer.upload_sky(&sky::grid(64))).unwrap();
-    let mut settings = Settings::new(View::default(), Deflection::DEFAULT_STEP);
     let mut realtime = RealtimeRenderer::new(renderer.clone(), WINDOW);
     let format = wgpu::TextureFormat::Bgra8Unorm;
     let mut presenter = Presenter::new(&gpu, &realtime, format);
