@@ -6,7 +6,7 @@ use thiserror::Error;
 /// Largest width and height of a picture, pixels.
 pub const MAX_SIDE: u32 = 16_384;
 
-/// Why a [`View`] makes no [`Camera`].
+/// Why a [`View`] makes no [`Camera`](super::Camera).
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum CameraError {
     /// No observer can move so at this radius, or the radius is out of range.
