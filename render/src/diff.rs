@@ -2,6 +2,7 @@
 
 use crate::camera::{Camera, ViewAngle};
 use crate::cpu;
+use crate::footprint::Patch;
 use crate::lens::{Lens, LensedRay};
 use crate::picture::Picture;
 use glam::DVec3;
@@ -106,7 +107,7 @@ impl ReferencePixel {
     pub fn new(lens: &Lens, column: u32, row: u32) -> Self {
         let camera = &lens.camera;
         let view = camera.direction(column, row);
-        let gradient = camera.view_angle_gradient(column, row);
+        let gradient = Patch::seen_by(camera, camera.position(column, row), 1.0).gradient();
         let (seen, doppler) = camera.unboosted(view);
         let from_edge = ViewAngle::of(seen).radians() - camera.observer.shadow_angle();
         ReferencePixel {

@@ -115,7 +115,7 @@ impl<'a> FilteredPixels<'a> {
 
     /// The square patch with sides of `side` pixels, centred on `at`, in pixels from the centre of the picture.
     fn patch(&self, at: DVec2, side: f64) -> Patch {
-        self.lens.camera.patch(at, side)
+        Patch::seen_by(&self.lens.camera, at, side)
     }
 
     fn kind(&self, pixel: &Patch) -> Kind {

@@ -12,7 +12,7 @@
 //! bilinear tap at level L, whose texels are means of 4^L texels, has 4^L/4. These are equal for 4^L = (W² + 2)/3.
 //! The taps supply the rest of the long axis's variance: that of a row of length E with E² = W² + 2 − 3·4^L.
 
-use crate::camera::ViewAngle;
+use crate::camera::{Camera, ViewAngle};
 use crate::lens::Deflected;
 use glam::{DMat3, DVec2, DVec3};
 use std::f64::consts::TAU;
@@ -86,6 +86,23 @@ impl Patch {
             right: steps(right),
             down: steps(down),
         }
+    }
+
+    /// The patch of the picture of `camera` with sides of `side` pixels around `at`, in pixels from the centre of the
+    /// picture, as [`Camera::observer`] sees it.
+    pub fn seen_by(camera: &Camera, at: DVec2, side: f64) -> Self {
+        let (ray, right, down) = (camera.ray(at), camera.right * side, camera.down * side);
+        let Some(boost) = camera.boost else {
+            return Patch::new(ray, right, down);
+        };
+        let length = ray.length();
+        let direction = ray / length;
+        let step = |step: DVec3| {
+            let across = (step - direction * step.dot(direction)) / length;
+            DVec3::from(boost.unboosted_step(direction.to_array(), across.to_array()))
+        };
+        let (row_direction, _) = camera.unboosted(direction);
+        Patch::new(row_direction, step(right), step(down))
     }
 
     /// |dθ| across the patch along the gradient of θ, rad.
@@ -230,5 +247,30 @@ impl OnFace {
     fn texels(&self, step: DVec3) -> DVec3 {
         let on_plane = step - self.direction * (step.dot(self.axis) * self.inverse);
         on_plane * (self.inverse.abs() * self.half_texels)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::View;
+
+    #[test]
+    fn the_gradient_of_the_view_angle_is_its_difference() {
+        let camera = Camera::new(&View {
+            yaw_deg: 20.0,
+            pitch_deg: -10.0,
+            width: 4001,
+            height: 2001,
+            ..View::default()
+        })
+        .unwrap();
+        let angle = |c, r| ViewAngle::of(camera.direction(c, r)).radians();
+        for (c, r) in [(100, 100), (3000, 500), (2000, 1999), (50, 1500)] {
+            let across = 0.5 * (angle(c + 1, r) - angle(c - 1, r));
+            let along = 0.5 * (angle(c, r + 1) - angle(c, r - 1));
+            let gradient = Patch::seen_by(&camera, camera.position(c, r), 1.0).gradient();
+            assert!((gradient / across.hypot(along) - 1.0).abs() < 1e-5);
+        }
     }
 }

@@ -14,7 +14,6 @@ mod view_angle;
 pub use view::{CameraError, MAX_FALL_ROW_RADIUS, MAX_RADIUS, MAX_SIDE, View};
 pub use view_angle::ViewAngle;
 
-use crate::footprint::Patch;
 use glam::{DMat3, DVec2, DVec3};
 use lensbake_core::{Boost, Motion, MovingFrame, Observer};
 use std::f64::consts::PI;
@@ -171,23 +170,6 @@ impl Camera {
         (near.min(far), near.max(far))
     }
 
-    /// The patch of the picture with sides of `side` pixels around `at`, in pixels from the centre of the picture, as
-    /// [`Camera::observer`] sees it.
-    pub fn patch(&self, at: DVec2, side: f64) -> Patch {
-        let (ray, right, down) = (self.ray(at), self.right * side, self.down * side);
-        let Some(boost) = self.boost else {
-            return Patch::new(ray, right, down);
-        };
-        let length = ray.length();
-        let direction = ray / length;
-        let step = |step: DVec3| {
-            let across = (step - direction * step.dot(direction)) / length;
-            DVec3::from(boost.unboosted_step(direction.to_array(), across.to_array()))
-        };
-        let (row_direction, _) = self.unboosted(direction);
-        Patch::new(row_direction, step(right), step(down))
-    }
-
     /// The view direction at `at`, in pixels from the centre of the picture; in the hole frame, not normalised.
     pub fn ray(&self, at: DVec2) -> DVec3 {
         self.forward + self.right * at.x + self.down * at.y
@@ -215,12 +197,6 @@ impl Camera {
         let size = DVec2::new(self.width.into(), self.height.into());
         let inside = position.cmpge(DVec2::ZERO).all() && position.cmplt(size).all();
         inside.then_some((position.x as u32, position.y as u32))
-    }
-
-    /// |dθ/d pixel| at pixel (column, row), rad: the size of the gradient of the view angle θ that [`Camera::observer`]
-    /// sees.
-    pub fn view_angle_gradient(&self, column: u32, row: u32) -> f64 {
-        self.patch(self.position(column, row), 1.0).gradient()
     }
 }
 
@@ -286,23 +262,6 @@ mod tests {
             latitude.cos() * orbit.cos(),
         );
         assert!((place - expected).length() < 1e-12);
-    }
-
-    #[test]
-    fn the_gradient_of_the_view_angle_is_its_difference() {
-        let camera = camera(|v| {
-            v.yaw_deg = 20.0;
-            v.pitch_deg = -10.0;
-            v.width = 4001;
-            v.height = 2001;
-        });
-        let angle = |c, r| ViewAngle::of(camera.direction(c, r)).radians();
-        for (c, r) in [(100, 100), (3000, 500), (2000, 1999), (50, 1500)] {
-            let across = 0.5 * (angle(c + 1, r) - angle(c - 1, r));
-            let along = 0.5 * (angle(c, r + 1) - angle(c, r - 1));
-            let gradient = camera.view_angle_gradient(c, r);
-            assert!((gradient / across.hypot(along) - 1.0).abs() < 1e-5);
-        }
     }
 
     #[test]

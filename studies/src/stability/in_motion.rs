@@ -4,7 +4,7 @@
 //! [`in_row_frame`](lensbake_core::Observer::in_row_frame), and the difference of the view angles is added to its
 //! bending. So no method knows of motion, and all of them are served by the same aberration, that of `lensbake_core`.
 
-use super::regime::{Trial, at_edge, at_rest};
+use super::trial::{Trial, at_edge, at_rest};
 use crate::methods::InitialConditions;
 use lensbake_core::{CoreError, Motion, MovingFrame};
 use lensbake_tables::baking::ObservedRay;

@@ -6,12 +6,14 @@ pub mod figure;
 mod in_motion;
 mod promise;
 mod regime;
+mod trial;
 mod verdict;
 
 pub use columns::is_product;
 pub use in_motion::{Direction, InMotion};
 pub use promise::promise;
-pub use regime::{Input, Regime, Trial, Truth, regimes};
+pub use regime::{Input, Regime, Truth, regimes};
+pub use trial::Trial;
 pub use verdict::{TOLERANCE, Verdict};
 
 use crate::methods::{BendingMethod, MethodInfo, MethodOutcome};

@@ -3,11 +3,13 @@
 use super::keys::{BINDINGS, MOUSE};
 use super::motion::FIELDS_OF_VIEW;
 use super::motion_controls;
+use super::panel_info::PanelInfo;
 use super::resolution::Resolution;
 use super::settings::{Comparison, SHIFTS, Settings};
+use super::typed::typed;
 use egui::{
-    Align2, ComboBox, Context, Grid, Id, Label, RichText, ScrollArea, Slider, SliderClamping, Ui,
-    Vec2, Window, vec2,
+    Align2, ComboBox, Context, Grid, Id, Label, RichText, ScrollArea, Slider, Ui, Vec2, Window,
+    vec2,
 };
 use lensbake_render::scene::Sampling;
 use lensbake_render::shift::Shift;
@@ -23,31 +25,6 @@ const BESIDE: Vec2 = vec2(44.0, 84.0);
 const PANEL_WIDTH: f32 = 326.0;
 /// Largest width of a column of the costs, points: a longer name is wrapped.
 const NAME: f32 = 200.0;
-
-/// What the panel shows besides the settings.
-#[derive(Debug, Clone)]
-pub struct PanelInfo {
-    /// Names of the skies, and the index of the one shown.
-    pub skies: (Vec<String>, usize),
-    /// The mean time between frames while something moves.
-    pub interval: Option<Duration>,
-    /// Mean GPU time of the picture.
-    pub picture_time: Option<Duration>,
-    /// Mean GPU time of the whole frame, window and panel included.
-    pub frame_time: Option<Duration>,
-    /// Size of the picture, `[width, height]` in pixels.
-    pub picture: [u32; 2],
-    /// Name of the table in use.
-    pub table: String,
-    /// Largest error of the table on this side of the horizon, rad, if it was measured.
-    pub table_error: Option<f64>,
-    /// Upper bound on the rounding error of the GPU's 32-bit floats, pixels.
-    pub rounding_px: f64,
-    /// Why the radius is fixed, if it is.
-    pub held_radius: Option<String>,
-    /// Name of the GPU adapter.
-    pub adapter: String,
-}
 
 /// What the user asks for in the panel, besides changes of the settings.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -205,14 +182,6 @@ fn light(ui: &mut Ui, settings: &mut Settings) {
         });
     });
     ui.end_row();
-}
-
-/// A slider that also accepts typed numbers beyond its ends. A typed number takes effect when it is complete,
-/// because its first digits alone may be invalid.
-pub(super) fn typed(slider: Slider) -> Slider {
-    slider
-        .clamping(SliderClamping::Never)
-        .update_while_editing(false)
 }
 
 /// Adds the costs and error bounds of the picture.

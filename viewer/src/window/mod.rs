@@ -24,6 +24,7 @@ mod motion_facts;
 mod open_window;
 mod pace;
 mod panel;
+mod panel_info;
 pub mod plan;
 mod render_pass;
 mod resolution;
@@ -39,6 +40,7 @@ mod state_motion_tests;
 mod state_tests;
 mod title;
 mod travel;
+mod typed;
 
 pub use app::{Options, run};
 pub use error::WindowError;

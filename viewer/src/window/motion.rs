@@ -12,6 +12,10 @@ use std::ops::RangeInclusive;
 
 /// Farthest radius for keys, wheel and slider: the shadow is about a pixel wide.
 const FARTHEST: f64 = 2000.0;
+/// Proper times per second to choose from, r_s/c.
+pub const CLOCK_RATES: [f64; 6] = [0.25, 0.5, 1.0, 2.0, 4.0, 16.0];
+/// Index of the proper time per second at the start: a fall from r = 3 takes seven seconds.
+pub const USUAL_CLOCK_RATE: usize = 1;
 /// Orbit speeds to choose from, as multiples of [`ORBIT_DEG_PER_S`].
 pub const ORBIT_SPEEDS: [f64; 4] = [0.0, 1.0, 2.0, 4.0];
 /// Orbit speed 1×, degrees per second: one orbit in half a minute.

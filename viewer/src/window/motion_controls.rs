@@ -1,13 +1,13 @@
 //! Rows of the panel for the radius, the motion and the passing of time, laid out by egui.
 
-use super::controls::{PanelInfo, typed};
 use super::fall::Fall;
-use super::motion::{ORBIT_SPEEDS, radii};
+use super::motion::{CLOCK_RATES, ORBIT_SPEEDS, radii};
 use super::motion_choice::{name, problem};
 use super::motion_facts::{facts, region};
+use super::panel_info::PanelInfo;
 use super::settings::Settings;
 use super::title;
-use super::travel::CLOCK_RATES;
+use super::typed::typed;
 use egui::{Label, Rect, Response, RichText, Slider, Stroke, Ui, lerp};
 use lensbake_core::{Motion, R_PHOTON};
 use std::ops::RangeInclusive;

@@ -1,12 +1,13 @@
 //! The open window: handles its events and draws its frames.
 
-use super::controls::{PanelAction, PanelInfo};
+use super::controls::PanelAction;
 use super::event::AppEvent;
 use super::input::{Input, Reaction};
 use super::keys::Command;
 use super::meter::Meter;
 use super::pace::{AfterFrame, Pace};
 use super::panel::Panel;
+use super::panel_info::PanelInfo;
 use super::plan::{Plan, scaled};
 use super::resolution::{AutoScale, Resolution};
 use super::skies::Skies;

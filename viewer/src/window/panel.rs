@@ -1,7 +1,8 @@
 //! The panel, the help and the messages, drawn by egui.
 
-use super::controls::{PanelAction, PanelInfo, controls};
+use super::controls::{PanelAction, controls};
 use super::message::{self, Message};
+use super::panel_info::PanelInfo;
 use super::settings::Settings;
 use egui::{ClippedPrimitive, Context, TexturesDelta};
 use egui_wgpu::{RendererOptions, ScreenDescriptor};

@@ -2,9 +2,8 @@
 
 use super::fall::Fall;
 use super::keys::Change;
-use super::motion::{self, ORBIT_SPEEDS};
+use super::motion::{self, ORBIT_SPEEDS, USUAL_CLOCK_RATE};
 use super::resolution::Resolution;
-use super::travel::USUAL_CLOCK_RATE;
 use lensbake_core::Motion;
 use lensbake_render::camera::View;
 use lensbake_render::exposure;

@@ -1,10 +1,11 @@
 //! Property tests of the state: after any sequence of keys, mouse and panel input and dropped tables there is a
 //! picture, no frame is due at rest, and Home leads back to the start.
 
-use super::controls::{PanelInfo, controls};
+use super::controls::controls;
 use super::keys::{Change, Movement};
 use super::motion;
 use super::motion_choice;
+use super::panel_info::PanelInfo;
 use super::settings::Settings;
 use super::state::{NamedTable, State};
 use egui::{Context, Pos2, RawInput, Rect, vec2};

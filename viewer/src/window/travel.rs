@@ -3,18 +3,13 @@
 
 use super::fall::{END, Fall, LetGo};
 use super::great_circle::Place;
-use super::motion::{self, ORBIT_DEG_PER_S, wrapped};
+use super::motion::{self, CLOCK_RATES, ORBIT_DEG_PER_S, wrapped};
 use super::motion_facts;
 use super::settings::Settings;
 use super::title;
 use lensbake_core::Motion;
 use lensbake_core::geodesic::{fall_time, orbit_rate};
 use lensbake_render::camera::View;
-
-/// Proper times per second to choose from, r_s/c.
-pub const CLOCK_RATES: [f64; 6] = [0.25, 0.5, 1.0, 2.0, 4.0, 16.0];
-/// Index of the proper time per second at the start: a fall from r = 3 takes seven seconds.
-pub const USUAL_CLOCK_RATE: usize = 1;
 
 impl Settings {
     /// Proper time per second, r_s/c.
