@@ -50,7 +50,7 @@ fn single(scene: &Scene, direction: DVec3) -> Vec3 {
         RayOutcome::Escapes(ray) => {
             let on_sky = scene.lens.camera.sky_from_hole * ray.direction;
             let light = scene.sky.sample(on_sky.as_vec3());
-            scene.rendition.seen(light, ray.frequency_shift)
+            scene.rendition.seen(light, || ray.frequency_shift)
         }
     }
 }

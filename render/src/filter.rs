@@ -9,7 +9,7 @@
 use crate::footprint::Patch;
 use crate::lens::Lens;
 use crate::shadow::Shadow;
-use crate::shift::{Rendition, Shift};
+use crate::shift::Rendition;
 use crate::sky::Sky;
 use glam::{DVec2, DVec3, Vec3, Vec4};
 use lensbake_core::RayOutcome;
@@ -159,14 +159,8 @@ impl<'a> FilteredPixels<'a> {
         let sample = |direction: DVec3| sky.sample_level(direction.as_vec3(), taps.level as f32);
         let sum: Vec3 = taps.directions(footprint.direction).map(sample).sum();
         let light = sum / taps.count as f32;
-        match self.rendition.shift {
-            Shift::Off => light,
-            _ => {
-                let shift = self.lens.frequency_shift(patch.direction);
-                self.rendition.seen(light, shift)
-            }
-        }
-        .extend(1.0)
+        let shift = || self.lens.frequency_shift(patch.direction);
+        self.rendition.seen(light, shift).extend(1.0)
     }
 }
 

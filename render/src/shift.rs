@@ -51,11 +51,12 @@ impl Rendition {
         }
     }
 
-    /// The linear RGB light that is seen of `light` with the frequency shift `g`.
-    pub fn seen(self, light: Vec3, g: f64) -> Vec3 {
+    /// The linear RGB light that is seen of `light` with the frequency shift that `g` returns. `g` is called only when
+    /// the shift is drawn.
+    pub fn seen(self, light: Vec3, g: impl FnOnce() -> f64) -> Vec3 {
         match self.shift {
             Shift::Off => light,
-            shift => shift.seen(light, g) * self.light_scale,
+            shift => shift.seen(light, g()) * self.light_scale,
         }
     }
 

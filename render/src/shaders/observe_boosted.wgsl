@@ -1,7 +1,6 @@
 // Light in a direction in which the observer of the row sees it, as the camera sees it, which has a boost relative to
 // that observer.
 // #import camera
-// #import frequency_shift
 struct Observed {
     direction: vec3<f32>,
     light: vec3<f32>,

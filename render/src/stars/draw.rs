@@ -139,10 +139,7 @@ pub(super) fn observed(
     light: Vec3,
 ) -> (DVec3, Vec3) {
     let (seen, doppler) = lens.camera.boosted(direction);
-    let light = match rendition.shift {
-        Shift::Off => light,
-        _ => rendition.seen(light, lens.frequency_shift(direction)),
-    };
+    let light = rendition.seen(light, || lens.frequency_shift(direction));
     (seen, light / (doppler * doppler) as f32)
 }
 
