@@ -1,5 +1,6 @@
 //! The command line.
 
+use ::bake::export::{Language, Mode, Precision};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use lensbake_core::{Motion, Observer};
 use std::path::PathBuf;
@@ -34,6 +35,12 @@ pub enum Command {
         /// The table to write; - writes a .lbt to standard output.
         to: PathBuf,
     },
+    /// Write the lookup as a text in another language, for a shader or a program of your own.
+    ///
+    /// With --observer, the text holds the row of that observer and needs nothing else. Without, it serves all observers
+    /// at rest and reads a table from a file, which is written beside it. The comment at its top says what it takes and
+    /// returns, and how large its error is.
+    Export(ExportArgs),
     /// Read lines `R THETA_DEG [AZIMUTH_DEG]` or `inf B` from standard input; for each, print the bending in radians
     /// or `captured`.
     ///
@@ -124,6 +131,36 @@ pub enum MethodName {
     Rk4,
     /// Evaluate the closed form.
     Exact,
+}
+
+/// Options of `bake export`.
+#[derive(Debug, Args)]
+pub struct ExportArgs {
+    /// The language.
+    #[arg(long, value_enum, value_name = "LANGUAGE")]
+    pub to: Language,
+    /// The one observer that the text is for, at rest at this radius (above 1, in units of the Schwarzschild radius).
+    #[arg(long, value_name = "R", value_parser = resting_observer)]
+    pub observer: Option<Observer>,
+    /// How a text for all observers looks up the table.
+    #[arg(long, value_enum, default_value_t = Mode::Row, conflicts_with = "observer")]
+    pub mode: Mode,
+    /// Texels per row.
+    #[arg(long, value_name = "N", default_value_t = 64, value_parser = clap::value_parser!(u32).range(4..=4096))]
+    pub texels: u32,
+    /// Format of the numbers [default: f16 for --mode simple, f32 otherwise].
+    #[arg(long, value_enum)]
+    pub precision: Option<Precision>,
+    /// Name of the function; other names in the text begin with it.
+    #[arg(long, value_name = "NAME", default_value = "lensbake", value_parser = function_name)]
+    pub function: String,
+    /// File to write, or - for standard output [default: the name of the function with the language's extension].
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// File of the table: .exr (f32, f16), .png (unorm16), or .bin (the numbers alone) [default: beside the text, .bin
+    /// for three, otherwise .exr or .png].
+    #[arg(long, value_name = "FILE", conflicts_with = "observer")]
+    pub data: Option<PathBuf>,
 }
 
 /// Options of `bake query`.
@@ -241,6 +278,29 @@ fn observer(text: &str) -> Result<Observer, String> {
         false => Observer::falling(r).map(|observer| observer.in_row_frame()),
     }
     .map_err(|e| e.to_string())
+}
+
+fn resting_observer(text: &str) -> Result<Observer, String> {
+    const WANTED: &str = "must be a radius above 1, in units of the Schwarzschild radius";
+    let r: f64 = text.parse().map_err(|_| WANTED.to_owned())?;
+    if r.is_infinite() {
+        return Err(
+            "to an observer at infinity the hole is a point: give a large radius".to_owned(),
+        );
+    }
+    Observer::at(r).map_err(|_| WANTED.to_owned())
+}
+
+fn function_name(text: &str) -> Result<String, String> {
+    let is_word = text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    let starts_well = text.starts_with(|c: char| c.is_ascii_alphabetic());
+    // GLSL reserves names with two underscores and names that begin with gl_.
+    let is_free = !text.contains("__") && !text.starts_with("gl_") && !text.ends_with('_');
+    if is_word && starts_well && is_free && text.len() <= 64 {
+        Ok(text.to_owned())
+    } else {
+        Err("must be a name of at most 64 letters, digits and single underscores that begins with a letter".to_owned())
+    }
 }
 
 fn number(text: &str) -> Result<f64, String> {

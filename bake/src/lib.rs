@@ -1,3 +1,4 @@
-//! The questions that `bake query` answers.
+//! The questions that `bake query` answers, and the texts that `bake export` writes.
 
+pub mod export;
 pub mod query;

@@ -18,6 +18,7 @@ fn main() -> ExitCode {
         None => commands::bake::run(&cli.bake),
         Some(Command::Inspect { file }) => commands::inspect::run(&file),
         Some(Command::Convert { from, to }) => commands::convert::run(&from, &to),
+        Some(Command::Export(args)) => commands::export::run(&args),
         Some(Command::Query(args)) => commands::query::run(&args),
         Some(Command::Diff(args)) => commands::diff::run(&args),
         Some(Command::Chart(args)) => commands::chart::run(&args),

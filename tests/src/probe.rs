@@ -29,6 +29,25 @@ pub fn probe<Q: bytemuck::Pod, A: bytemuck::Pod>(
     questions: &[Q],
     row: Option<(u32, &[[f32; 2]])>,
 ) -> Vec<A> {
+    let row = row.map(|(binding, texels)| (binding, row_texture(gpu, texels)));
+    let entry = row.as_ref().map(|(binding, view)| BindGroupEntry {
+        binding: *binding,
+        resource: BindingResource::TextureView(view),
+    });
+    probe_with(gpu, source, bindings, questions, entry.as_slice())
+}
+
+/// As [`probe`], with any other resources bound to group 0.
+///
+/// # Panics
+/// If the device fails.
+pub fn probe_with<Q: bytemuck::Pod, A: bytemuck::Pod>(
+    gpu: &Gpu,
+    source: String,
+    bindings: Bindings,
+    questions: &[Q],
+    resources: &[BindGroupEntry],
+) -> Vec<A> {
     let device = &gpu.device;
     let module = device.create_shader_module(ShaderModuleDescriptor {
         label: None,
@@ -53,15 +72,12 @@ pub fn probe<Q: bytemuck::Pod, A: bytemuck::Pod>(
         usage: BufferUsages::STORAGE | BufferUsages::COPY_SRC,
         mapped_at_creation: false,
     });
-    let row = row.map(|(binding, texels)| (binding, row_texture(gpu, texels)));
     let entry = |binding, resource| BindGroupEntry { binding, resource };
     let mut entries = vec![
         entry(bindings.questions, asked.as_entire_binding()),
         entry(bindings.answers, written.as_entire_binding()),
     ];
-    if let Some((binding, view)) = &row {
-        entries.push(entry(*binding, BindingResource::TextureView(view)));
-    }
+    entries.extend_from_slice(resources);
     let bind_group = device.create_bind_group(&BindGroupDescriptor {
         label: None,
         layout: &pipeline.get_bind_group_layout(0),
@@ -78,7 +94,8 @@ pub fn probe<Q: bytemuck::Pod, A: bytemuck::Pod>(
     block_on(gpu.copy_back(&written, written.size())).unwrap()
 }
 
-fn row_texture(gpu: &Gpu, texels: &[[f32; 2]]) -> TextureView {
+/// A texture that holds the row of `texels` wrapped into lines.
+pub fn row_texture(gpu: &Gpu, texels: &[[f32; 2]]) -> TextureView {
     let shape = RowShape {
         texels: texels.len() as u32,
         interpolation: Interpolation::Hermite,

@@ -34,18 +34,11 @@ static READERS: LazyLock<[Reader; 3]> = LazyLock::new(|| {
     ]
 });
 
-const HINT: &str = "run scripts/test.sh once, which installs what this test reads with; or test with \
-                    --features lensbake-tests/no-readers";
+const HINT: &str = lensbake_test_support::READERS_HINT;
 
-/// Folder for the readers' packages, beside Cargo's folder for tests; `scripts/fetch-readers.sh` fills it.
+/// Folder for the readers' packages.
 fn fetched() -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("readers");
-    assert!(
-        folder.join("node_modules").is_dir() && folder.join("venv").is_dir(),
-        "{} lacks packages: {HINT}",
-        folder.display()
-    );
-    folder
+    lensbake_test_support::fetched(env!("CARGO_TARGET_TMPDIR"))
 }
 
 fn build(source: &Path, program: &Path) {

@@ -4,10 +4,12 @@ pub mod bake;
 pub mod chart;
 pub mod convert;
 pub mod diff;
+pub mod export;
 pub mod inspect;
 pub mod query;
 pub mod stability;
 
+use ::bake::export::ExportError;
 use ::bake::query::QuestionError;
 use lensbake_core::{CoreError, Motion};
 use lensbake_program::PrintError;
@@ -62,6 +64,9 @@ pub enum CommandError {
     /// A file cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),
+    /// A text cannot be exported.
+    #[error(transparent)]
+    Export(#[from] ExportError),
     /// A figure cannot be drawn.
     #[error(transparent)]
     Draw(#[from] DrawError),

@@ -1,7 +1,7 @@
 // The row coordinate above the horizon: the normalised shadow coordinate x = tan(θ_c/2) / tan(θ/2) of the unit
 // direction (cos θ, sin θ) = (c, p), where c ≥ −1 and p ≥ 0. Very large at θ = 0.
 fn row_coordinate(c: f32, p: f32, edge: ShadowEdge) -> f32 {
-    let cot_half = select(p / (1.0 - c), (1.0 + c) / max(p, 1e-30), c >= 0.0);
+    let cot_half: f32 = select(p / (1.0 - c), (1.0 + c) / max(p, 1e-30), c >= 0.0);
     return edge.tan_half * cot_half;
 }
 

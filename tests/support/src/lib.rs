@@ -16,7 +16,7 @@ use lensbake_tables::container::Container;
 use lensbake_tables::{Rows, Table};
 use std::ffi::OsStr;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 /// One of the project's programs.
@@ -225,4 +225,23 @@ pub fn coarse_atlas() -> Table {
         ..Recipe::default()
     };
     bake(&recipe, || ()).unwrap()
+}
+
+/// What to do if a program or a package is missing that other readers and compilers need.
+pub const READERS_HINT: &str = "run scripts/test.sh once, which installs what this test reads with; or test with \
+                                --features lensbake-tests/no-readers";
+
+/// The folder beside Cargo's folder for tests, `target_tmpdir`, that `scripts/fetch-readers.sh` fills with packages for
+/// Python and Node.
+///
+/// # Panics
+/// If they are not there.
+pub fn fetched(target_tmpdir: &str) -> PathBuf {
+    let folder = Path::new(target_tmpdir).with_file_name("readers");
+    assert!(
+        folder.join("node_modules").is_dir() && folder.join("venv").is_dir(),
+        "{} lacks packages: {READERS_HINT}",
+        folder.display()
+    );
+    folder
 }

@@ -1,0 +1,256 @@
+//! The formats in which the numbers of a table can be stored, and how they are written.
+
+use half::f16;
+use lensbake_tables::Texel;
+
+/// Format of a stored number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum Precision {
+    /// 32-bit floats.
+    F32,
+    /// 16-bit floats.
+    F16,
+    /// 16-bit integers, which a texture shows as numbers from 0 to 1. The text has the ranges of values and slopes.
+    Unorm16,
+}
+
+/// Largest number of a 16-bit integer.
+const UNORM_MAX: f64 = 65_535.0;
+
+impl Precision {
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Precision::F32 => "f32",
+            Precision::F16 => "f16",
+            Precision::Unorm16 => "unorm16",
+        }
+    }
+}
+
+/// How stored numbers become values and slopes: each is start + scale × the stored number. Index 0 is for values, 1 for
+/// slopes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Decoding {
+    start: [f64; 2],
+    scale: [f64; 2],
+}
+
+impl Decoding {
+    /// The expressions `VALUE_SCALE x` and `SLOPE_SCALE x` in `text`, written out. `largest` is what the largest integer
+    /// is read as: 1 in a texture, itself in an array.
+    fn written(&self, text: &str, largest: f64) -> String {
+        let markers = ["VALUE_SCALE ", "SLOPE_SCALE "];
+        markers
+            .iter()
+            .enumerate()
+            .fold(text.to_owned(), |text, (i, marker)| {
+                let scale = self.scale[i] * UNORM_MAX / largest;
+                text.replace(
+                    marker,
+                    &format!("{} + {} * ", float(self.start[i]), float(scale)),
+                )
+            })
+    }
+}
+
+/// Texels in a format.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Numbers {
+    /// The format.
+    pub precision: Precision,
+    /// As they are read again.
+    pub texels: Vec<Texel>,
+    /// As they are stored, as numbers from 0 to 65535 if they are integers.
+    stored: Vec<Texel>,
+    decoding: Option<Decoding>,
+}
+
+impl Numbers {
+    /// `texels` rounded to `precision`.
+    pub fn new(texels: &[Texel], precision: Precision) -> Self {
+        let (stored, decoding) = match precision {
+            Precision::F32 => (texels.to_vec(), None),
+            Precision::F16 => {
+                let rounded = |number: f32| f16::from_f32(number).to_f32();
+                (
+                    texels.iter().map(|texel| texel.map(rounded)).collect(),
+                    None,
+                )
+            }
+            Precision::Unorm16 => {
+                let decoding = ranges(texels);
+                let Decoding { start, scale } = decoding;
+                let integer = |number: f32, i: usize| {
+                    ((f64::from(number) - start[i]) / scale[i]).round() as f32
+                };
+                let stored = texels
+                    .iter()
+                    .map(|&[value, slope]| [integer(value, 0), integer(slope, 1)]);
+                (stored.collect(), Some(decoding))
+            }
+        };
+        let texels = stored.iter().map(|&texel| match decoding {
+            None => texel,
+            Some(Decoding { start, scale }) => {
+                std::array::from_fn(|i| (start[i] + scale[i] * f64::from(texel[i])) as f32)
+            }
+        });
+        Numbers {
+            precision,
+            texels: texels.collect(),
+            stored,
+            decoding,
+        }
+    }
+
+    /// `text` with the expressions that decode what is read from a texture.
+    pub fn decode_texture(&self, text: &str) -> String {
+        self.decode(text, 1.0)
+    }
+
+    /// `text` with the expressions that decode what is read from an array of [`Numbers::lines`].
+    pub fn decode_array(&self, text: &str) -> String {
+        self.decode(text, UNORM_MAX)
+    }
+
+    fn decode(&self, text: &str, largest: f64) -> String {
+        match self.decoding {
+            Some(decoding) => decoding.written(text, largest),
+            None => text.replace("VALUE_SCALE ", "").replace("SLOPE_SCALE ", ""),
+        }
+    }
+
+    /// Values and slopes as decimals that give the stored numbers again, in lines, each with a comma after all but the
+    /// last.
+    pub fn lines(&self, suffix: &str) -> String {
+        let written: Vec<String> = self
+            .stored
+            .iter()
+            .flatten()
+            .map(|&number| match self.precision {
+                Precision::F16 => half(number) + suffix,
+                Precision::F32 | Precision::Unorm16 => float(f64::from(number)) + suffix,
+            })
+            .collect();
+        let lines: Vec<String> = written
+            .chunks(8)
+            .map(|line| format!("    {}", line.join(", ")))
+            .collect();
+        lines.join(",\n")
+    }
+
+    /// The stored texels as bytes, little-endian: the values and slopes, or the values alone.
+    pub fn bytes(&self, slopes: bool) -> Vec<u8> {
+        let channels = if slopes { 2 } else { 1 };
+        let numbers = self
+            .stored
+            .iter()
+            .flat_map(|texel| texel[..channels].to_vec());
+        match self.precision {
+            Precision::F32 => numbers.flat_map(f32::to_le_bytes).collect(),
+            Precision::F16 => numbers
+                .flat_map(|number| f16::from_f32(number).to_le_bytes())
+                .collect(),
+            Precision::Unorm16 => numbers
+                .flat_map(|number| (number as u16).to_le_bytes())
+                .collect(),
+        }
+    }
+
+    /// The stored texels.
+    pub fn stored(&self) -> &[Texel] {
+        &self.stored
+    }
+}
+
+fn ranges(texels: &[Texel]) -> Decoding {
+    let of = |i: usize| {
+        let numbers = texels.iter().map(|texel| f64::from(texel[i]));
+        let start = numbers.clone().fold(f64::INFINITY, f64::min);
+        let end = numbers.fold(f64::NEG_INFINITY, f64::max);
+        (start, ((end - start) / UNORM_MAX).max(f64::MIN_POSITIVE))
+    };
+    let [(value, value_scale), (slope, slope_scale)] = [of(0), of(1)];
+    Decoding {
+        start: [value, slope],
+        scale: [value_scale, slope_scale],
+    }
+}
+
+/// `number` as the shortest decimal with a point that gives the same f32, in every language.
+pub fn float(number: f64) -> String {
+    let number = number as f32;
+    let size = number.abs();
+    if size == 0.0 {
+        return "0.0".to_owned();
+    }
+    if !(1e-4..1e7).contains(&size) {
+        let text = format!("{number:e}");
+        return match text.split_once('e') {
+            Some((mantissa, exponent)) if !mantissa.contains('.') => {
+                format!("{mantissa}.0e{exponent}")
+            }
+            _ => text,
+        };
+    }
+    let text = number.to_string();
+    if text.contains('.') {
+        text
+    } else {
+        text + ".0"
+    }
+}
+
+/// `number` as the shortest decimal that gives the same half float.
+fn half(number: f32) -> String {
+    for digits in 0..8 {
+        let text = format!("{number:.digits$e}");
+        if let Ok(read) = text.parse::<f32>()
+            && f16::from_f32(read) == f16::from_f32(number)
+        {
+            return float(f64::from(read));
+        }
+    }
+    float(f64::from(number))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn floats_are_written_so_that_they_are_read_again() {
+        for number in [
+            0.0,
+            1.0,
+            -3.25,
+            1e-30,
+            7.549_79e-8,
+            65_535.0,
+            3.4e38,
+            0.1,
+            -1.5e-5,
+        ] {
+            let text = float(number);
+            assert_eq!(text.parse::<f32>().unwrap(), number as f32, "{text}");
+            assert!(text.contains('.'), "{text}");
+        }
+        for bits in (0..0x7c00).step_by(7) {
+            let number = f16::from_bits(bits);
+            let text = half(number.to_f32());
+            assert_eq!(f16::from_f32(text.parse().unwrap()), number, "{text}");
+        }
+    }
+
+    #[test]
+    fn integers_cover_the_range_of_the_numbers() {
+        let texels = [[1.0, -2.0], [3.0, 5.0], [2.0, 0.0]];
+        let numbers = Numbers::new(&texels, Precision::Unorm16);
+        assert_eq!(numbers.stored()[0], [0.0, 0.0]);
+        assert_eq!(numbers.stored()[1], [65_535.0; 2]);
+        for (read, written) in numbers.texels.iter().zip(texels) {
+            assert!((read[0] - written[0]).abs() < 2e-5 && (read[1] - written[1]).abs() < 6e-5);
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! The lookup as one text of WGSL functions: those of the renderer's own shaders, and the few that only the exported
+//! texts have. Which of them a text needs depends on where its numbers are.
+
+use super::dialect::Dialect;
+use super::numbers::{Numbers, float};
+use lensbake_tables::lookup::WGSL_MODULES;
+
+/// Where the numbers are that the text looks up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// The row of one observer, as an array in the text.
+    Array,
+    /// The row of one observer, as a texture or an array that the caller fills.
+    Row,
+    /// All rows, as an array; the four rows around the observer are mixed for each ray.
+    Atlas,
+    /// All rows, as a texture with linear filtering.
+    Filtered,
+}
+
+/// What the functions of a text are specialised for.
+#[derive(Debug, Clone, Copy)]
+pub struct Shape {
+    /// Where the numbers are.
+    pub place: Place,
+    /// Texels of a row.
+    pub texels: u32,
+    /// Rows of the atlas.
+    pub rows: u32,
+    /// tan(θ_c/2) and (5/18) cos θ_c of the one observer; all others compute them from r.
+    pub edge: Option<[f64; 2]>,
+}
+
+/// Parameters and arguments of the functions, for a language.
+struct Passed {
+    observer: [&'static str; 2],
+    radius: [&'static str; 2],
+    data: [&'static str; 2],
+}
+
+impl Shape {
+    /// The functions in WGSL, each after its comment, in an order in which each is declared before its use. In the text
+    /// parameters and arguments are those that `dialect` needs; everything else is still to be rewritten.
+    pub fn functions(&self, numbers: &Numbers, dialect: &Dialect) -> String {
+        let mut parts = vec![include_str!("wgsl/edge_struct.wgsl").to_owned()];
+        parts.push(match self.edge {
+            Some(_) => include_str!("wgsl/edge_of_one.wgsl").to_owned(),
+            None => include_str!("wgsl/edge_of_all.wgsl").to_owned(),
+        });
+        parts.push(of_the_renderer("row_coordinate_above", "row_coordinate"));
+        parts.push(of_the_renderer("row_coordinate_above", "row_position"));
+        if self.place == Place::Filtered {
+            parts.push(include_str!("wgsl/filtered.wgsl").to_owned());
+        } else {
+            parts.push(of_the_renderer("arithmetic", "cubic"));
+            parts.push(self.texel(dialect).to_owned());
+            parts.push(include_str!("wgsl/hermite.wgsl").to_owned());
+        }
+        parts.push(include_str!("wgsl/bend.wgsl").to_owned());
+        parts.push(of_the_renderer("arithmetic", "cos_sin"));
+        parts.push(of_the_renderer("lookup", "turned"));
+        parts.push(include_str!("wgsl/direction.wgsl").to_owned());
+        let text = self.filled(&parts.join("\n"), dialect);
+        match (self.place, dialect.texture) {
+            (Place::Row | Place::Filtered, Some(_)) => numbers.decode_texture(&text),
+            _ => numbers.decode_array(&text),
+        }
+    }
+
+    fn texel(&self, dialect: &Dialect) -> &'static str {
+        match (self.place, dialect.texture) {
+            (Place::Row, Some(_)) => include_str!("wgsl/texel_of_texture.wgsl"),
+            (Place::Atlas, _) => include_str!("wgsl/texel_of_atlas.wgsl"),
+            _ => include_str!("wgsl/texel_of_array.wgsl"),
+        }
+    }
+
+    /// `text` with its markers replaced: capital words stand for numbers, parameters and arguments.
+    fn filled(&self, text: &str, dialect: &Dialect) -> String {
+        let passed = self.passed(dialect);
+        let mut lines = Vec::new();
+        for line in text.lines() {
+            // Parameters in a declaration, arguments everywhere else.
+            let which = usize::from(!line.trim_start().starts_with("fn "));
+            let mut line = line.to_owned();
+            for (marker, texts) in [
+                ("OBSERVER", passed.observer),
+                ("RADIUS", passed.radius),
+                ("DATA", passed.data),
+            ] {
+                line = match texts[which] {
+                    "" => line.replace(&format!(", {marker}"), "").replace(marker, ""),
+                    text => line.replace(marker, text),
+                };
+            }
+            lines.push(line);
+        }
+        let [tan_half, log_weight] = self.edge.unwrap_or_default();
+        let (texture_load, texture_sample) = dialect
+            .texture
+            .map_or(("", ""), |texture| (texture.load, texture.sample));
+        let text = lines.join("\n") + "\n";
+        text.replace("TAN_HALF", &float(tan_half))
+            .replace("LOG_WEIGHT", &float(log_weight))
+            .replace("BEFORE_LAST", &format!("{}.0", self.texels - 2))
+            .replace("LAST_ROW", &format!("{}.0", self.rows - 1))
+            .replace("LAST", &format!("{}.0", self.texels - 1))
+            .replace("TEXEL_COUNT", &self.texels.to_string())
+            .replace("TEXELS", &format!("{}.0", self.texels))
+            .replace("ROWS", &format!("{}.0", self.rows))
+            .replace("ROW", self.array_name(dialect))
+            .replace("LOADED", texture_load)
+            .replace("SAMPLED", texture_sample)
+    }
+
+    /// Name of the array of numbers in the functions.
+    pub fn array_name(&self, dialect: &Dialect) -> &'static str {
+        match (self.place, dialect.has_constants) {
+            (Place::Array | Place::Atlas, true) => "FUNCTION_numbers",
+            _ => "row",
+        }
+    }
+
+    fn passed(&self, dialect: &Dialect) -> Passed {
+        const NONE: [&str; 2] = ["", ""];
+        const R: [&str; 2] = ["r: f32", "r"];
+        let data = match (self.place, dialect.texture) {
+            (Place::Row, Some(texture)) => texture.row,
+            (Place::Filtered, Some(texture)) => texture.atlas,
+            (Place::Row, None) => dialect.array_parameter,
+            (Place::Array | Place::Atlas, None) if !dialect.has_constants => {
+                dialect.array_parameter
+            }
+            _ => NONE,
+        };
+        Passed {
+            observer: if self.edge.is_some() { NONE } else { R },
+            radius: match self.place {
+                Place::Atlas | Place::Filtered => R,
+                Place::Array | Place::Row => NONE,
+            },
+            data,
+        }
+    }
+}
+
+/// The function `name` of a module of the renderer's shaders, with its comment.
+fn of_the_renderer(module: &str, name: &str) -> String {
+    let source = WGSL_MODULES.iter().find(|(own, _)| *own == module);
+    let source = source.expect("a module of the renderer").1;
+    let start = source
+        .find(&format!("fn {name}("))
+        .expect("a function of that module");
+    let length = source[start..].find("\n}\n").expect("a function ends") + 3;
+    let comment = source[..start]
+        .lines()
+        .rev()
+        .take_while(|line| line.starts_with("//"));
+    let comment = start - comment.map(|line| line.len() + 1).sum::<usize>();
+    source[comment..start + length].to_owned()
+}

@@ -1,0 +1,174 @@
+//! C, and the texts in HLSL and Metal's language, which a C++ compiler takes with stand-ins for their types.
+
+use super::rays::{Answer, Errors, RADII, Ray, rays, rows};
+use super::{bytes_as, report, words_of};
+use lensbake_test_support::workspace;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use tempfile::TempDir;
+
+/// A text to run.
+struct Text {
+    file: &'static str,
+    /// What compiles it.
+    compiler: &'static [&'static str],
+    call: &'static str,
+    radii: &'static [f64],
+    /// The table, with the number of its texels in a line; `None` for the row of each observer.
+    table: Option<(&'static str, usize)>,
+}
+
+const C: &[&str] = &[
+    "gcc",
+    "-x",
+    "c",
+    "-std=c99",
+    "-Wall",
+    "-Wextra",
+    "-Werror",
+    "-pedantic",
+    "-DKIT_TYPES=0",
+];
+const CPP: &[&str] = &[
+    "g++",
+    "-x",
+    "c++",
+    "-std=c++14",
+    "-Wall",
+    "-Wextra",
+    "-Werror",
+    "-DKIT_TYPES=0",
+];
+const HLSL: &[&str] = &["g++", "-x", "c++", "-std=c++14", "-DKIT_TYPES=1"];
+const METAL: &[&str] = &[
+    "g++",
+    "-x",
+    "c++",
+    "-std=c++14",
+    "-DKIT_TYPES=1",
+    "-DKIT_METAL=1",
+];
+
+fn run(text: &Text) -> Errors {
+    let folder = TempDir::new().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let sources = workspace().join("tests/kit");
+    let define = |name: &str, value: String| format!("-D{name}={value}");
+    let file = workspace().join("kit").join(text.file);
+    let status = Command::new(text.compiler[0])
+        .args(&text.compiler[1..])
+        .args(["-O2", "-I"])
+        .arg(&sources)
+        .arg(define("KIT_TEXT", format!("\"{}\"", file.display())))
+        .arg(define("KIT_CALL", text.call.to_owned()))
+        .args([
+            Path::new("-o"),
+            &path("run"),
+            &sources.join("run.cc"),
+            Path::new("-lm"),
+        ])
+        .status()
+        .unwrap();
+    assert!(status.success(), "{} does not compile", text.file);
+    let mut rays = rays(text.radii);
+    let (texels, width): (Vec<f32>, usize) = match text.table {
+        None => (words_of(&rows(text.radii)), 64),
+        Some((file, width)) => {
+            for ray in &mut rays {
+                ray.observer = 0.0;
+            }
+            (super::values_and_slopes(file), width)
+        }
+    };
+    let answers = answers(&path("run"), &rays, &texels, width, &folder);
+    Errors::of(&rays, &answers)
+}
+
+fn answers(
+    program: &Path,
+    rays: &[Ray],
+    texels: &[f32],
+    width: usize,
+    folder: &TempDir,
+) -> Vec<Answer> {
+    let file = |name: &str, bytes: &[u8]| -> PathBuf {
+        let path = folder.path().join(name);
+        std::fs::write(&path, bytes).unwrap();
+        path
+    };
+    let [rays, texels, out] = [
+        file("rays", bytemuck::cast_slice(rays)),
+        file("texels", bytemuck::cast_slice(texels)),
+        file("out", &[]),
+    ];
+    let status = Command::new(program)
+        .args([&rays, &texels, Path::new(&width.to_string()), &out])
+        .status()
+        .unwrap();
+    assert!(status.success());
+    bytes_as(&std::fs::read(out).unwrap())
+}
+
+#[test]
+fn c() {
+    let text = Text {
+        file: "c/lensbake.h",
+        compiler: C,
+        call: "lensbake(d,hole,r,data)",
+        radii: &RADII,
+        table: None,
+    };
+    report("C99, row", run(&text), super::F32_BOUND);
+    let as_cpp = Text {
+        compiler: CPP,
+        ..text
+    };
+    report("C as C++14, row", run(&as_cpp), super::F32_BOUND);
+}
+
+#[test]
+fn hlsl_and_metal() {
+    let row = Text {
+        file: "hlsl/lensbake.hlsl",
+        compiler: HLSL,
+        call: "lensbake(d,hole,r,Texture2D(data))",
+        radii: &RADII,
+        table: None,
+    };
+    let one = Text {
+        file: "hlsl/lensbake_r10.hlsl",
+        call: "lensbake_r10(d,hole)",
+        radii: &[10.0],
+        ..row
+    };
+    let simple = Text {
+        file: "hlsl/lensbake_simple.hlsl",
+        call: "lensbake_simple(d,hole,r,Texture2D(data),SamplerState())",
+        radii: &RADII,
+        table: Some(("tables/simple.exr", 64)),
+        ..row
+    };
+    report("HLSL in C++, row", run(&row), super::F32_BOUND);
+    report("HLSL in C++, array", run(&one), super::F32_BOUND);
+    report("HLSL in C++, simple", run(&simple), super::SIMPLE_BOUND);
+    let metal = |text: Text, file, call| Text {
+        file,
+        call,
+        compiler: METAL,
+        ..text
+    };
+    let row = metal(
+        row,
+        "metal/lensbake.metal",
+        "lensbake(d,hole,r,metal::texture2d<float>(data))",
+    );
+    let one = metal(one, "metal/lensbake_r10.metal", "lensbake_r10(d,hole)");
+    let simple = metal(
+        simple,
+        "metal/lensbake_simple.metal",
+        "lensbake_simple(d,hole,r,metal::texture2d<float>(data),metal::sampler())",
+    );
+    report("Metal in C++, row", run(&row), super::F32_BOUND);
+    report("Metal in C++, array", run(&one), super::F32_BOUND);
+    report("Metal in C++, simple", run(&simple), super::SIMPLE_BOUND);
+}
