@@ -161,6 +161,9 @@ pub struct ExportArgs {
     /// for three, otherwise .exr or .png].
     #[arg(long, value_name = "FILE", conflicts_with = "observer")]
     pub data: Option<PathBuf>,
+    /// Write the last row first, for programs that put v = 0 at the lowest line of a picture (Unity, OpenGL).
+    #[arg(long, conflicts_with = "observer")]
+    pub flip: bool,
 }
 
 /// Options of `bake query`.

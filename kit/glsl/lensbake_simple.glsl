@@ -5,8 +5,9 @@
 //   d             unit view direction, in any frame
 //   hole          unit direction of the hole, in the same frame, for example (0, 0, -1)
 //   r             radius of the observer in Schwarzschild radii, above 1; 1e30 for infinity
-//   atlas         texture of 64 x 128 texels, R the value (floats), the first row at v = 0: linear data (no sRGB),
-//                 no mipmaps, no compression, linear filter, clamped to the edge
+//   atlas         texture of 64 x 128 texels, R the value (floats), the first row at v = 0, which is the top line
+//                 of the file: linear data (no sRGB), no mipmaps, no compression, linear filter, clamped to the
+//                 edge
 // lensbake_simple_bend returns the bending (deflection angle) in radians. Compute in 32-bit floats: with 16 bits
 // (mediump, half) the picture is wrong by tens of pixels.
 //

@@ -25,6 +25,7 @@ pub fn run(args: &ExportArgs) -> Result<Outcome, CommandError> {
         precision,
         function: args.function.clone(),
         data: None,
+        flip: args.flip,
     };
     let mut data_output = None;
     if request.has_data_file()? {
@@ -38,9 +39,15 @@ pub fn run(args: &ExportArgs) -> Result<Outcome, CommandError> {
         request.data = Some((path, format));
         data_output = Some(data);
     }
-    if data_output.is_none() && args.data.is_some() {
-        let language = args.to;
-        return Err(ExportError::NoDataFile { language }.into());
+    let for_file = [("--data", args.data.is_some()), ("--flip", args.flip)];
+    if let Some((option, _)) = for_file.iter().find(|(_, given)| *given)
+        && data_output.is_none()
+    {
+        return Err(ExportError::NoDataFile {
+            option,
+            language: args.to,
+        }
+        .into());
     }
     let exported = export(&request)?;
     if let (Some(output), Some(bytes)) = (&data_output, &exported.data) {

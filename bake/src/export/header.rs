@@ -123,6 +123,7 @@ fn interface(request: &Request, place: Place, rows: u32) -> Vec<String> {
 /// The parameters that hold the table.
 fn data(request: &Request, place: Place, rows: u32) -> Vec<(&'static str, String)> {
     let texels = request.texels;
+    let line = if request.flip { "lowest" } else { "top" };
     let range = match request.precision {
         super::Precision::Unorm16 => "16-bit integers that are read as numbers from 0 to 1",
         _ => "floats",
@@ -144,8 +145,8 @@ fn data(request: &Request, place: Place, rows: u32) -> Vec<(&'static str, String
         )],
         (Place::Filtered, language) => {
             let atlas = format!(
-                "texture of {texels} x {rows} texels, R the value ({range}), the first row at v = 0: linear data (no \
-                 sRGB), no mipmaps, no compression, linear filter, clamped to the edge"
+                "texture of {texels} x {rows} texels, R the value ({range}), the first row at v = 0, which is the {line} \
+                 line of the file: linear data (no sRGB), no mipmaps, no compression, linear filter, clamped to the edge"
             );
             let sampler = ("linear_clamp", "its sampler".to_owned());
             match language {

@@ -61,6 +61,8 @@ pub struct Request {
     pub function: String,
     /// Path of the table's file as the text names it, and its format.
     pub data: Option<(PathBuf, DataFormat)>,
+    /// Whether the file begins with the last row.
+    pub flip: bool,
 }
 
 /// An exported text, and the bytes of the file beside it.
@@ -93,9 +95,11 @@ pub enum ExportError {
         /// The extensions of the formats that can.
         extensions: String,
     },
-    /// A file for the table is named, and the text holds the table.
-    #[error("--data: a text in {} holds its numbers, and reads no file", language.name())]
+    /// An option is for the table's file, and the text holds the table.
+    #[error("{option}: a text in {} holds its numbers, and reads no file", language.name())]
     NoDataFile {
+        /// The option.
+        option: &'static str,
         /// The language.
         language: Language,
     },
@@ -166,6 +170,9 @@ impl Request {
         if self.function != "lensbake" {
             words += &format!(" --function {}", self.function);
         }
+        if self.flip {
+            words += " --flip";
+        }
         words
     }
 
@@ -212,10 +219,13 @@ pub fn export(request: &Request) -> Result<Exported, ExportError> {
         }),
     };
     let slopes = place != Place::Filtered;
-    let data = request
-        .data
-        .as_ref()
-        .map(|(_, format)| format.encode(&numbers, request.texels as usize, slopes));
+    let width = request.texels as usize;
+    let in_file = match request.flip {
+        true => &numbers.last_row_first(width),
+        false => &numbers,
+    };
+    let data = request.data.as_ref();
+    let data = data.map(|(_, format)| format.encode(in_file, width, slopes));
     Ok(Exported {
         text: header::header(request, place, errors, shape.rows)
             + &text::text(request, &shape, &numbers),

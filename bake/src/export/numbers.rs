@@ -158,6 +158,16 @@ impl Numbers {
         }
     }
 
+    /// The same numbers with the rows, of `width` texels, in reverse order.
+    pub fn last_row_first(&self, width: usize) -> Self {
+        let reversed = |texels: &[Texel]| texels.chunks(width).rev().flatten().copied().collect();
+        Numbers {
+            texels: reversed(&self.texels),
+            stored: reversed(&self.stored),
+            ..*self
+        }
+    }
+
     /// The stored texels.
     pub fn stored(&self) -> &[Texel] {
         &self.stored
@@ -241,6 +251,21 @@ mod tests {
             let text = half(number.to_f32());
             assert_eq!(f16::from_f32(text.parse().unwrap()), number, "{text}");
         }
+    }
+
+    #[test]
+    fn rows_are_reversed_and_their_texels_are_not() {
+        let numbers = Numbers::new(
+            &[[1.0, 0.0], [2.0, 0.0], [3.0, 0.0], [4.0, 0.0]],
+            Precision::F32,
+        );
+        let values: Vec<f32> = numbers
+            .last_row_first(2)
+            .stored
+            .iter()
+            .map(|texel| texel[0])
+            .collect();
+        assert_eq!(values, [3.0, 4.0, 1.0, 2.0]);
     }
 
     #[test]

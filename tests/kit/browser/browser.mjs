@@ -41,8 +41,9 @@ export async function start() {
 }
 
 /**
- * Serves on an unused port of this machine. `routes` maps the beginning of a path to a folder (both end in '/'), a whole
- * path to a file, or a whole path to a function that gets the body of the request and returns the answer.
+ * Serves on an unused port of this machine. `routes` maps the beginning of a path to a folder (both end in '/'; the
+ * longest beginning counts), a whole path to a file, or a whole path to a function that gets the body of the request and
+ * returns the answer.
  */
 export async function serve(routes) {
     const server = createServer(async (request, response) => {
@@ -71,12 +72,12 @@ async function answer(routes, path, request) {
     if (path in routes && !path.endsWith('/')) {
         return readFile(routes[path]);
     }
-    for (const [start, folder] of Object.entries(routes)) {
-        if (start.endsWith('/') && path.startsWith(start)) {
-            const file = join(folder, path.slice(start.length) || 'index.html');
-            if (file.startsWith(resolve(folder) + sep)) {
-                return readFile(file);
-            }
+    const starts = Object.keys(routes).filter((start) => start.endsWith('/') && path.startsWith(start));
+    const longest = starts.sort((a, b) => b.length - a.length)[0];
+    if (longest !== undefined) {
+        const file = join(routes[longest], path.slice(longest.length) || 'index.html');
+        if (file.startsWith(resolve(routes[longest]) + sep)) {
+            return readFile(file);
         }
     }
     throw new Error(`${path}: nothing here`);

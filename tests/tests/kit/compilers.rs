@@ -92,3 +92,64 @@ fn hlsl_compiles() {
         compile("shader.hlsl", &format!("{DIRECT3D}{text}{main}"), &options);
     }
 }
+
+/// What Unity declares before the file of a Custom Function node, and the calls that it generates.
+const UNITY: [&str; 2] = [
+    "struct UnityTexture2D { Texture2D tex; SamplerState samplerstate; };
+Texture2D texture0;
+SamplerState sampler0;
+float3 hole;
+float r;
+",
+    "float4 main(float3 d : TEXCOORD0) : SV_Target {
+    UnityTexture2D atlas;
+    atlas.tex = texture0;
+    atlas.samplerstate = sampler0;
+    float3 sky;
+    float visible;
+    Lensbake_float(d, hole, r, atlas, sky, visible);
+    half3 half_sky;
+    half half_visible;
+    Lensbake_half(half3(d), half3(hole), half(r), atlas, half_sky, half_visible);
+    return float4(sky + float3(half_sky), visible + float(half_visible));
+}
+",
+];
+
+#[test]
+#[cfg_attr(
+    any(feature = "no-readers", not(target_os = "linux")),
+    ignore = "feature no-readers, or not Linux"
+)]
+fn the_node_for_unity_compiles() {
+    let [before, main] = UNITY;
+    let source = format!("{before}{}{main}", text("unity/LensbakeNode.hlsl"));
+    let include = format!("-I{}", workspace().join("kit/unity").display());
+    let options = [
+        "-D",
+        "-V",
+        "-S",
+        "frag",
+        "-e",
+        "main",
+        "-o",
+        "shader.spv",
+        &include,
+    ];
+    compile("shader.hlsl", &source, &options);
+}
+
+/// The texts for Unity and Unreal are the one that is run.
+#[test]
+fn the_texts_for_unity_and_unreal_are_that_of_hlsl() {
+    let code = |file: &str| {
+        let text = text(file)
+            .replace("lensbake_simple", "lensbake")
+            .replace("LENSBAKE_SIMPLE", "LENSBAKE");
+        let (_, code) = text.split_once("#ifndef").unwrap();
+        code.to_owned()
+    };
+    for file in ["unity/lensbake.hlsl", "unreal/lensbake.ush"] {
+        assert_eq!(code(file), code("hlsl/lensbake_simple.hlsl"), "{file}");
+    }
+}
