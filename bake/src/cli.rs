@@ -122,6 +122,15 @@ pub enum AxisName {
     LogB,
 }
 
+/// How the observer of an exported text moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Frame {
+    /// At rest.
+    Rest,
+    /// In free fall from rest at infinity.
+    Fall,
+}
+
 /// How to compute a bending.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum MethodName {
@@ -139,9 +148,13 @@ pub struct ExportArgs {
     /// The language.
     #[arg(long, value_enum, value_name = "LANGUAGE")]
     pub to: Language,
-    /// The one observer that the text is for, at rest at this radius (above 1, in units of the Schwarzschild radius).
-    #[arg(long, value_name = "R", value_parser = resting_observer)]
-    pub observer: Option<Observer>,
+    /// Radius of the one observer that the text is for, in units of the Schwarzschild radius: above 1 at rest, from 0.01
+    /// in free fall.
+    #[arg(long, value_name = "R", value_parser = finite_radius)]
+    pub observer: Option<f64>,
+    /// How that observer moves: at rest, or freely, from rest at infinity.
+    #[arg(long, value_enum, default_value_t = Frame::Rest, requires = "observer")]
+    pub motion: Frame,
     /// How a text for all observers looks up the table.
     #[arg(long, value_enum, default_value_t = Mode::Row, conflicts_with = "observer")]
     pub mode: Mode,
@@ -283,15 +296,14 @@ fn observer(text: &str) -> Result<Observer, String> {
     .map_err(|e| e.to_string())
 }
 
-fn resting_observer(text: &str) -> Result<Observer, String> {
-    const WANTED: &str = "must be a radius above 1, in units of the Schwarzschild radius";
-    let r: f64 = text.parse().map_err(|_| WANTED.to_owned())?;
-    if r.is_infinite() {
-        return Err(
-            "to an observer at infinity the hole is a point: give a large radius".to_owned(),
-        );
+fn finite_radius(text: &str) -> Result<f64, String> {
+    let radius = number(text)?;
+    match radius.is_infinite() {
+        true => {
+            Err("to an observer at infinity the hole is a point: give a large radius".to_owned())
+        }
+        false => Ok(radius),
     }
-    Observer::at(r).map_err(|_| WANTED.to_owned())
 }
 
 fn function_name(text: &str) -> Result<String, String> {

@@ -12,8 +12,11 @@
 
 import numpy as np
 
+# tan(theta_c/2)/sigma, with theta_c the angle of the edge of the shadow; (5/18) C/sigma, with C the cosine of theta_c for an
+# observer at rest, continued below the horizon; and sigma, which is 1 above the horizon.
 TAN_HALF_SHADOW = 0.1251683528985353
 LOG_WEIGHT = 0.26920808648174094
+SIGMA = 1.0
 # Value and slope of each texel.
 ROW = np.array([
     -0.38244042, 0.0, -0.38233608, 0.0002091851, -0.38202044, 0.0004231249, -0.38148737, 0.0006443936,
@@ -45,8 +48,10 @@ def bend_cos_sin(c, p):
     """As bend, from the cosine and the sine of theta."""
     c, p = np.asarray(c, dtype=float), np.asarray(p, dtype=float)
     with np.errstate(divide="ignore", invalid="ignore"):
-        x = TAN_HALF_SHADOW * np.where(c < 0.0, p / (1.0 - c), (1.0 + c) / np.maximum(p, 1e-300))
-        x = np.where(x < 1.0, x, np.nan)
+        n = TAN_HALF_SHADOW * np.where(c < 0.0, p, 1.0 + c)
+        x = n / (np.where(c < 0.0, 1.0 - c, p) - (SIGMA - 1.0) * n)
+        # The denominator is negative inside the shadow.
+        x = np.where((x >= 0.0) & (x < 1.0), x, np.nan)
         d = 1.0 - x
         last = len(ROW) - 1
         position = np.sqrt(d / (1.0 + np.sqrt(x))) * last

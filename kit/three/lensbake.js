@@ -162,9 +162,9 @@ export async function loadAtlas(url = new URL('./lensbake.bin', import.meta.url)
 }
 
 /**
- * The row of the observer at rest at r > 1 (in Schwarzschild radii; Infinity is allowed): texels of value and slope, mixed
- * from four rows of the atlas by Lagrange's cubic. At the ends of the atlas all four rows are inside it. Call it when r
- * changes, not for each pixel.
+ * The row of the observer at rest at r > 1 (in Schwarzschild radii; Infinity is allowed): texels of value and slope,
+ * mixed from four rows of the atlas by Lagrange's cubic. At the ends of the atlas all four rows are inside it. Call it
+ * when r changes, not for each pixel.
  * @param {Float32Array} atlas - from loadAtlas
  * @param {Float32Array} row - filled and returned
  */

@@ -58,6 +58,14 @@ impl HorizonSide {
             false => HorizonSide::Above,
         }
     }
+
+    /// Name of the module of [`WGSL_MODULES`] that has the row coordinate.
+    pub fn row_coordinate(self) -> &'static str {
+        match self {
+            HorizonSide::Above => "row_coordinate_above",
+            HorizonSide::Below => "row_coordinate_below",
+        }
+    }
 }
 
 /// The properties of a row that a shader is specialised for.
@@ -82,10 +90,7 @@ impl RowShape {
 
     /// Name of the module of [`WGSL_MODULES`] that has the row coordinate.
     pub fn row_coordinate(self) -> &'static str {
-        match self.side {
-            HorizonSide::Above => "row_coordinate_above",
-            HorizonSide::Below => "row_coordinate_below",
-        }
+        self.side.row_coordinate()
     }
 
     /// Width and height of the texture that holds the row. The texels fill it line by line; the rest of the last

@@ -2,6 +2,7 @@
 //   KIT_TEXT    the file to include
 //   KIT_TYPES   1: vectors and textures from shader_types.h; 0: those of the text itself (C)
 //   KIT_CALL    the call, with the arguments d, hole, r and data
+//   KIT_ONE     in C, 1 for a text for one observer, in which no row is mixed
 // Arguments: rays, texels (f32, `width` a line), width, out. A ray is 8 floats: r, d, hole, and the number of its first line of
 // texels. The result is 3 floats a ray.
 
@@ -54,12 +55,14 @@ int main(int count, char **arguments) {
         const float3 seen = KIT_CALL;
 #else
         const lensbake_vec3 d = {ray[1], ray[2], ray[3]}, hole = {ray[4], ray[5], ray[6]};
+#if !KIT_ONE
         static float data[2 * 4096];
         static float row_of = -1.0f;
         if (row_of != r) {
             lensbake_row(r, data);
             row_of = r;
         }
+#endif
         const lensbake_vec3 seen = KIT_CALL;
 #endif
         const float direction[3] = {seen.x, seen.y, seen.z};

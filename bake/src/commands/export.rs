@@ -1,8 +1,9 @@
 //! `bake export`: writes the lookup as a text in another language, and its table.
 
 use super::CommandError;
-use crate::cli::ExportArgs;
+use crate::cli::{ExportArgs, Frame};
 use ::bake::export::{DataFormat, ExportError, Mode, Precision, Request, export};
+use lensbake_core::Observer;
 use lensbake_program::output::Output;
 use lensbake_program::{Outcome, message};
 use std::path::{Path, PathBuf};
@@ -19,7 +20,7 @@ pub fn run(args: &ExportArgs) -> Result<Outcome, CommandError> {
     });
     let mut request = Request {
         language: args.to,
-        observer: args.observer,
+        observer: observer(args)?,
         mode: args.mode,
         texels: args.texels,
         precision,
@@ -62,6 +63,29 @@ pub fn run(args: &ExportArgs) -> Result<Outcome, CommandError> {
         exported.errors.pixels
     );
     Ok(Outcome::Done)
+}
+
+/// The observer of `args`.
+fn observer(args: &ExportArgs) -> Result<Option<Observer>, CommandError> {
+    /// Smallest radius of the atlas.
+    const R_MIN: f64 = 0.01;
+    let Some(radius) = args.observer else {
+        return Ok(None);
+    };
+    let observer = match args.motion {
+        Frame::Rest if radius > 1.0 => Observer::at(radius).ok(),
+        Frame::Fall if radius >= R_MIN => Observer::falling(radius).ok(),
+        _ => None,
+    };
+    let wanted = match args.motion {
+        Frame::Rest => {
+            "must be above 1 for an observer at rest; at the horizon and below, add --motion fall"
+        }
+        Frame::Fall => "must be 0.01 or more",
+    };
+    observer
+        .map(Some)
+        .ok_or(CommandError::ExportRadius { radius, wanted })
 }
 
 /// The path of the table's file beside a text at `path`.

@@ -64,6 +64,14 @@ pub enum CommandError {
     /// A file cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),
+    /// The observer of a text cannot be at this radius.
+    #[error("--observer {radius}: the radius, in units of the Schwarzschild radius, {wanted}")]
+    ExportRadius {
+        /// The radius.
+        radius: f64,
+        /// What it must be.
+        wanted: &'static str,
+    },
     /// A text cannot be exported.
     #[error(transparent)]
     Export(#[from] ExportError),

@@ -254,7 +254,7 @@ impl Dialect {
     pub fn constant_array(&self, name: &str, count: usize, lines: &str) -> String {
         if self.is_wgsl() {
             return format!(
-                "const {name}: array<f32, {count}> = array<f32, {count}>(\n{lines}\n);\n"
+                "var<private> {name}: array<f32, {count}> = array<f32, {count}>(\n{lines}\n);\n"
             );
         }
         let Array {

@@ -1,7 +1,7 @@
 //! The comment at the top of an exported text: what it takes and returns, its error, and how it was made.
 
 use super::measure::{Errors, RAYS, WIDTH};
-use super::source::Place;
+use super::source::{Place, Shape};
 use super::{Language, Request};
 
 /// Longest line, without the comment's sign.
@@ -9,16 +9,16 @@ const COLUMNS: usize = 112;
 /// Width of the names of parameters.
 const NAMES: usize = 16;
 
-/// The comment for `request`, whose numbers have these errors and are in `rows` rows.
-pub fn header(request: &Request, place: Place, errors: Errors, rows: u32) -> String {
+/// The comment for `request`, whose lookup has this shape and whose numbers have these errors.
+pub fn header(request: &Request, shape: &Shape, errors: Errors) -> String {
     let mut lines = wrapped("", &whose(request));
     lines.push(String::new());
     lines.extend(match request.language {
         Language::Python => python_interface(&request.function),
-        _ => interface(request, place, rows),
+        _ => interface(request, shape.place, shape.rows),
     });
     lines.push(String::new());
-    lines.extend(wrapped("", &accuracy(request, errors)));
+    lines.extend(wrapped("", &accuracy(request, shape.texels, errors)));
     lines.push(String::new());
     lines.extend(wrapped("", &format!("Made by: {}", request.command())));
     lines.push("Part of lensbake. Licence: MIT or Apache-2.0, as you like.".to_owned());
@@ -51,25 +51,30 @@ fn wrapped(name: &str, text: &str) -> Vec<String> {
 fn whose(request: &Request) -> String {
     let what = "The bending of light by a black hole that does not rotate";
     match request.observer {
-        Some(observer) => format!(
-            "{what}, for the observer at rest at r = {} Schwarzschild radii.",
-            observer.radius()
-        ),
+        Some(observer) => {
+            let motion = match observer.is_at_rest() {
+                true => "at rest",
+                false => "in free fall from rest at infinity,",
+            };
+            format!(
+                "{what}, for the observer {motion} at r = {} Schwarzschild radii.",
+                observer.radius()
+            )
+        }
         None => format!("{what}, for all observers at rest."),
     }
 }
 
-fn accuracy(request: &Request, errors: Errors) -> String {
+fn accuracy(request: &Request, texels: u32, errors: Errors) -> String {
     let pixels = match errors.pixels < 1e-3 {
         true => format!("{:.1e}", errors.pixels),
         false => format!("{:.3}", errors.pixels),
     };
     format!(
-        "Error of the numbers ({}, {} texels a row) against the closed form: {:.1e} rad on the sky, {pixels} pixels of \
+        "Error of the numbers ({}, {texels} texels a row) against the closed form: {:.1e} rad on the sky, {pixels} pixels of \
          a picture {WIDTH} pixels wide and 90 degrees across. These are the largest of {RAYS} random rays in 64-bit \
          arithmetic; 32-bit arithmetic adds up to 5e-4 pixels.",
         request.precision.name(),
-        request.texels,
         errors.radians
     )
 }

@@ -1,12 +1,15 @@
 //! The error of the numbers of an exported text, against the closed form.
 
 use super::numbers::Numbers;
+use fastrand::Rng;
 use lensbake_core::rk4::Stepper;
 use lensbake_core::{Observer, ShadowCoordinate, direct, exact};
-use lensbake_tables::baking::{ObservedRay, random};
-use lensbake_tables::{Axis, Table};
+use lensbake_tables::baking::{EDGE_GAP, ObservedRay, random};
+use lensbake_tables::interpolation::cubic;
+use lensbake_tables::lookup::HorizonSide;
+use lensbake_tables::{Axis, Table, Texel};
 use rayon::prelude::*;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Random rays that are measured.
 pub const RAYS: usize = 20_000;
@@ -24,22 +27,26 @@ pub struct Errors {
     pub pixels: f64,
 }
 
-/// The errors of `bend`, the bending of a ray in rad, over [`RAYS`] random rays of the observers of `table`.
-pub fn errors(table: &Table, bend: impl Fn(&ObservedRay) -> f64 + Sync) -> Errors {
+/// A ray of an observer in the frame of the table's rows, and the same observer in the frame that the text is for.
+struct FrameRay {
+    ray: ObservedRay,
+    own: Observer,
+}
+
+/// The largest errors of `bend`, the bending of a ray in the observer's own frame in rad.
+fn errors(rays: &[FrameRay], bend: impl Fn(&FrameRay) -> f64 + Sync) -> Errors {
     let pixel = 2.0 / WIDTH;
-    let rays = random(table.header(), RAYS, 1);
-    let errors = rays.par_iter().filter_map(|ray| {
-        let ObservedRay { observer, at } = ray;
-        let closed = exact::bend(&observer.ray_at(*at)).escaped()?;
-        let slope = direct::bend_and_slope(observer, *at, Stepper::Adaptive(TOLERANCE))
-            .escaped()?
-            .slope;
-        let error = (bend(ray) - closed).abs();
-        let sky_slope = 1.0 - slope / observer.view_angle_slope(at.x);
-        let pixels = if observer.is_at_infinity() {
-            0.0
-        } else {
-            error / (sky_slope.abs() * pixel)
+    let errors = rays.par_iter().filter_map(|frame_ray| {
+        let (own, ObservedRay { observer, at }) = (&frame_ray.own, &frame_ray.ray);
+        let aberration = own.view_angle(at.x) - observer.view_angle(at.x);
+        let closed = exact::bend(&observer.ray_at(*at)).escaped()? + aberration;
+        let error = (bend(frame_ray) - closed).abs();
+        let direct = direct::bend_and_slope(observer, *at, Stepper::Adaptive(TOLERANCE));
+        let by_x = observer.view_angle_slope(at.x) - direct.escaped()?.slope;
+        let sky_slope = by_x / own.view_angle_slope(at.x);
+        let pixels = match observer.is_at_infinity() {
+            true => 0.0,
+            false => error / (sky_slope.abs() * pixel),
         };
         Some([error, pixels])
     });
@@ -47,11 +54,67 @@ pub fn errors(table: &Table, bend: impl Fn(&ObservedRay) -> f64 + Sync) -> Error
     Errors { radians, pixels }
 }
 
+/// Rays of all observers at rest.
+fn rays_of_all(table: &Table) -> Vec<FrameRay> {
+    let rays = random(table.header(), RAYS, 1).into_iter();
+    rays.map(|ray| FrameRay {
+        ray,
+        own: ray.observer,
+    })
+    .collect()
+}
+
+/// Rays of `own`: half of them uniform in the view angle, half crowded at the edge of the shadow.
+fn rays_of_one(own: Observer) -> Vec<FrameRay> {
+    let mut rng = Rng::with_seed(1);
+    let edge = own.shadow_angle();
+    let mut ray = || {
+        let gap = EDGE_GAP.powf(rng.f64());
+        let theta = edge + (PI - edge) * rng.f64();
+        let at = match rng.bool() {
+            true => ShadowCoordinate {
+                x: 1.0 - gap,
+                one_minus_x: gap,
+            },
+            false => own.shadow_coordinate(theta),
+        };
+        let observer = own.in_row_frame();
+        FrameRay {
+            ray: ObservedRay { observer, at },
+            own,
+        }
+    };
+    let rays = (0..RAYS).map(|_| ray());
+    rays.filter(|ray| ray.ray.at.one_minus_x >= EDGE_GAP)
+        .collect()
+}
+
 /// The errors of looking up rows of `table`, in which the texels are rounded already.
 pub fn rows(table: &Table) -> Errors {
-    errors(table, |ray| match table.row(ray.observer) {
-        Ok(row) => row.bend(ray.at).escaped().unwrap_or(f64::INFINITY),
-        Err(_) => f64::INFINITY,
+    errors(&rays_of_all(table), |FrameRay { ray, .. }| {
+        match table.row(ray.observer) {
+            Ok(row) => row.bend(ray.at).escaped().unwrap_or(f64::INFINITY),
+            Err(_) => f64::INFINITY,
+        }
+    })
+}
+
+/// The errors of looking up the row of one `observer`, with `texels` as a GPU holds them.
+pub fn one_row(observer: Observer, texels: &[Texel]) -> Errors {
+    let axis = Axis::Residual.of(&observer);
+    let last = (texels.len() - 1) as f64;
+    errors(&rays_of_one(observer), |FrameRay { ray, .. }| {
+        let at = axis.row_coordinate(&observer, ray.at);
+        let q = axis.position(at);
+        let position = last
+            * match HorizonSide::of(&observer) {
+                HorizonSide::Above => q,
+                HorizonSide::Below => 1.0 - q,
+            };
+        let i = (position as usize).min(texels.len() - 2);
+        let [a, b] = [i, i + 1].map(|i| texels[i].map(f64::from));
+        let [value, _] = cubic(a, b, position - i as f64);
+        axis.bend(&observer, at, value)
     })
 }
 
@@ -59,7 +122,7 @@ pub fn rows(table: &Table) -> Errors {
 /// the filters of GPUs have.
 pub fn filtered(table: &Table, numbers: &Numbers) -> Errors {
     let (texels, rows) = (table.header().texels, table.header().row_count());
-    errors(table, |ray| {
+    errors(&rays_of_all(table), |FrameRay { ray, .. }| {
         filtered_bend(&ray.observer, ray.at, numbers, [texels, rows])
     })
 }

@@ -17,6 +17,7 @@ pub use numbers::Precision;
 
 use lensbake_core::Observer;
 use lensbake_tables::baking::{Recipe, bake};
+use lensbake_tables::lookup::{GpuRow, HorizonSide};
 use lensbake_tables::{Rows, Table, TableError};
 use numbers::Numbers;
 use source::{Place, Shape};
@@ -49,7 +50,7 @@ impl Mode {
 pub struct Request {
     /// The language.
     pub language: Language,
-    /// The one observer that the text is for, at rest at a finite radius; `None` for all.
+    /// The one observer that the text is for, at rest or in free fall at a finite radius; `None` for all at rest.
     pub observer: Option<Observer>,
     /// How a text for all observers looks up.
     pub mode: Mode,
@@ -159,7 +160,12 @@ impl Request {
     fn command(&self) -> String {
         let mut words = format!("bake export --to {}", self.language.name());
         match self.observer {
-            Some(observer) => words += &format!(" --observer {}", observer.radius()),
+            Some(observer) => {
+                words += &format!(" --observer {}", observer.radius());
+                if !observer.is_at_rest() {
+                    words += " --motion fall";
+                }
+            }
             None => words += &format!(" --mode {}", self.mode.name()),
         }
         words += &format!(
@@ -203,20 +209,26 @@ impl Request {
 pub fn export(request: &Request) -> Result<Exported, ExportError> {
     let place = request.place()?;
     let table = request.table()?;
-    let numbers = Numbers::new(table.texels(), request.precision);
-    let rounded = Table::new(table.header().clone(), numbers.texels.clone())?;
-    let errors = match place {
-        Place::Filtered => measure::filtered(&rounded, &numbers),
-        Place::Array | Place::Row | Place::Atlas => measure::rows(&rounded),
+    let row = request
+        .observer
+        .map(|observer| table.row(observer))
+        .transpose()?;
+    let row = row.map(|row| GpuRow::new(&row));
+    let texels = row.as_ref().map_or(table.texels(), |row| &row.texels);
+    let numbers = Numbers::new(texels, request.precision);
+    let errors = match (request.observer, place) {
+        (Some(observer), _) => measure::one_row(observer, &numbers.texels),
+        (None, Place::Filtered) => measure::filtered(&table, &numbers),
+        (None, _) => measure::rows(&Table::new(table.header().clone(), numbers.texels.clone())?),
     };
     let shape = Shape {
         place,
-        texels: request.texels,
+        texels: row
+            .as_ref()
+            .map_or(request.texels, |row| row.texels.len() as u32),
         rows: table.header().row_count(),
-        edge: request.observer.map(|observer| {
-            let axis = table.header().axis;
-            [observer.tan_half_shadow(), axis.log_weight(&observer)]
-        }),
+        edge: row.as_ref().map(|row| row.edge),
+        side: row.map_or(HorizonSide::Above, |row| row.side),
     };
     let slopes = place != Place::Filtered;
     let width = request.texels as usize;
@@ -227,8 +239,7 @@ pub fn export(request: &Request) -> Result<Exported, ExportError> {
     let data = request.data.as_ref();
     let data = data.map(|(_, format)| format.encode(in_file, width, slopes));
     Ok(Exported {
-        text: header::header(request, place, errors, shape.rows)
-            + &text::text(request, &shape, &numbers),
+        text: header::header(request, &shape, errors) + &text::text(request, &shape, &numbers),
         data: data.transpose()?,
         errors,
     })

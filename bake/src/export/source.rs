@@ -3,7 +3,7 @@
 
 use super::dialect::Dialect;
 use super::numbers::{Numbers, float};
-use lensbake_tables::lookup::WGSL_MODULES;
+use lensbake_tables::lookup::{HorizonSide, ShadowEdge, WGSL_MODULES};
 
 /// Where the numbers are that the text looks up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,8 +27,10 @@ pub struct Shape {
     pub texels: u32,
     /// Rows of the atlas.
     pub rows: u32,
-    /// tan(θ_c/2) and (5/18) cos θ_c of the one observer; all others compute them from r.
-    pub edge: Option<[f64; 2]>,
+    /// The edge of the shadow of the one observer; all others compute it from r.
+    pub edge: Option<ShadowEdge>,
+    /// The side of the horizon, on which the row coordinate depends.
+    pub side: HorizonSide,
 }
 
 /// Parameters and arguments of the functions, for a language.
@@ -42,13 +44,19 @@ impl Shape {
     /// The functions in WGSL, each after its comment, in an order in which each is declared before its use. In the text
     /// parameters and arguments are those that `dialect` needs; everything else is still to be rewritten.
     pub fn functions(&self, numbers: &Numbers, dialect: &Dialect) -> String {
-        let mut parts = vec![include_str!("wgsl/edge_struct.wgsl").to_owned()];
-        parts.push(match self.edge {
-            Some(_) => include_str!("wgsl/edge_of_one.wgsl").to_owned(),
-            None => include_str!("wgsl/edge_of_all.wgsl").to_owned(),
-        });
-        parts.push(of_the_renderer("row_coordinate_above", "row_coordinate"));
-        parts.push(of_the_renderer("row_coordinate_above", "row_position"));
+        let edge = include_str!("wgsl/edge_struct.wgsl");
+        let edge = match (self.side, self.edge) {
+            (HorizonSide::Below, _) => [
+                include_str!("wgsl/edge_struct_below.wgsl"),
+                include_str!("wgsl/edge_of_one_below.wgsl"),
+            ],
+            (HorizonSide::Above, Some(_)) => [edge, include_str!("wgsl/edge_of_one.wgsl")],
+            (HorizonSide::Above, None) => [edge, include_str!("wgsl/edge_of_all.wgsl")],
+        };
+        let mut parts = edge.map(str::to_owned).to_vec();
+        let row_coordinate = self.side.row_coordinate();
+        parts.push(of_the_renderer(row_coordinate, "row_coordinate"));
+        parts.push(of_the_renderer(row_coordinate, "row_position"));
         if self.place == Place::Filtered {
             parts.push(include_str!("wgsl/filtered.wgsl").to_owned());
         } else {
@@ -95,13 +103,17 @@ impl Shape {
             }
             lines.push(line);
         }
-        let [tan_half, log_weight] = self.edge.unwrap_or_default();
+        let number = |of: fn(&ShadowEdge) -> f32| {
+            self.edge
+                .map_or(String::new(), |edge| float(of(&edge).into()))
+        };
         let (texture_load, texture_sample) = dialect
             .texture
             .map_or(("", ""), |texture| (texture.load, texture.sample));
         let text = lines.join("\n") + "\n";
-        text.replace("TAN_HALF", &float(tan_half))
-            .replace("LOG_WEIGHT", &float(log_weight))
+        text.replace("TAN_HALF", &number(|edge| edge.tan_half))
+            .replace("LOG_WEIGHT", &number(|edge| edge.log_weight))
+            .replace("EDGE_SCALE", &number(|edge| edge.scale))
             .replace("BEFORE_LAST", &format!("{}.0", self.texels - 2))
             .replace("LAST_ROW", &format!("{}.0", self.rows - 1))
             .replace("LAST", &format!("{}.0", self.texels - 1))

@@ -4,6 +4,8 @@ use super::numbers::{Numbers, Precision};
 use super::rewrite::rewrite;
 use super::source::{Place, Shape};
 use super::{Language, Request};
+use lensbake_tables::Axis;
+use lensbake_tables::lookup::HorizonSide;
 
 /// The text for `request`, whose lookup has this shape and looks up these numbers.
 pub fn text(request: &Request, shape: &Shape, numbers: &Numbers) -> String {
@@ -161,8 +163,16 @@ fn three(request: &Request, shape: &Shape, functions: &str) -> String {
 }
 
 fn python(request: &Request, shape: &Shape, numbers: &Numbers) -> String {
-    let Some([tan_half, log_weight]) = shape.edge else {
+    let Some(observer) = request.observer else {
         return String::new();
+    };
+    let axis = Axis::Residual.of(&observer);
+    let scale = axis.edge_scale(&observer);
+    let tan_half = observer.tan_half_shadow() / scale;
+    let log_weight = axis.log_weight(&observer);
+    let position = match shape.side {
+        HorizonSide::Above => include_str!("templates/position_above.py"),
+        HorizonSide::Below => include_str!("templates/position_below.py"),
     };
     let decode = numbers
         .decode_array("\nROW = np.stack([VALUE_SCALE ROW[:, 0], SLOPE_SCALE ROW[:, 1]], axis=1)");
@@ -174,6 +184,8 @@ fn python(request: &Request, shape: &Shape, numbers: &Numbers) -> String {
     include_str!("templates/one_row.py")
         .replace("TAN_HALF_NUMBER", &format!("{tan_half:?}"))
         .replace("LOG_WEIGHT_NUMBER", &format!("{log_weight:?}"))
+        .replace("SCALE_NUMBER", &format!("{scale:?}"))
+        .replace("POSITION\n", position)
         .replace("NUMBERS", &numbers.lines(""))
         .replace("DECODE", &decode)
         .replace("FUNCTION", &request.function)

@@ -2,9 +2,9 @@
 // and p ≥ 0. It exceeds 1 for all directions in the shadow.
 fn row_coordinate(c: f32, p: f32, edge: ShadowEdge) -> f32 {
     // cot(θ/2) = n/m, so that X = (T/σ) n / (m − (T/σ)(σ−1) n), which has a pole inside the shadow.
-    let half = select(vec2(p, 1.0 - c), vec2(1.0 + c, p), c >= 0.0);
-    let n = edge.tan_half * half.x;
-    let below = half.y - (edge.scale - 1.0) * n;
+    let n: f32 = edge.tan_half * select(p, 1.0 + c, c >= 0.0);
+    let m: f32 = select(1.0 - c, p, c >= 0.0);
+    let below: f32 = m - (edge.scale - 1.0) * n;
     return select(2.0, n / below, n < below);
 }
 
@@ -17,8 +17,8 @@ fn by_view_angle(by_x: f32, x: f32, p: f32, edge: ShadowEdge) -> f32 {
 // q, so that the position is 1 − q: straight away, where q is 1 and a pixel covers the least of the sky, rounding q would
 // cost most.
 fn row_position(d: f32, root: f32) -> f32 {
-    let grown = sqrt(1.0 + 48.0 * root);
-    let q = sqrt(8.0 * d / ((1.0 + root) * (7.0 + grown)));
+    let grown: f32 = sqrt(1.0 + 48.0 * root);
+    let q: f32 = sqrt(8.0 * d / ((1.0 + root) * (7.0 + grown)));
     // 1 − q² = 8 √X / (1 + √(1 + 48 √X)).
     return 8.0 * root / ((1.0 + grown) * (1.0 + q));
 }

@@ -42,8 +42,8 @@ export async function start() {
 
 /**
  * Serves on an unused port of this machine. `routes` maps the beginning of a path to a folder (both end in '/'; the
- * longest beginning counts), a whole path to a file, or a whole path to a function that gets the body of the request and
- * returns the answer.
+ * longest beginning counts), a whole path to a file, or a whole path to a function that gets the body of the request
+ * and returns the answer.
  */
 export async function serve(routes) {
     const server = createServer(async (request, response) => {
@@ -84,11 +84,12 @@ async function answer(routes, path, request) {
 }
 
 /**
- * Opens a page that gets the package three from this machine. Anything else outside is refused: also another version of
- * three than the one that is installed. What goes wrong in the page is pushed to `errors`.
+ * Opens a page that gets the package three from this machine. Anything else outside is refused, also another version
+ * of three than the installed one. What goes wrong in the page is pushed to `errors`.
  */
 export async function open(browser, url, errors, viewport = { width: 960, height: 540 }) {
     const page = await browser.newPage({ viewport, deviceScaleFactor: 1 });
+    page.setDefaultTimeout(120000); // a busy machine draws slowly in software
     page.on('pageerror', (error) => errors.push(String(error.stack ?? error)));
     page.on('console', (message) => {
         if (message.type() === 'error') {

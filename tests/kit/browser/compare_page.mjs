@@ -23,7 +23,7 @@ try {
     const { width, height } = theirs;
     const url = `${server.url}/index.html?${query}&sky=compared-sky.png&panel=0`;
     const page = await open(browser, url, errors, { width, height });
-    await page.waitForFunction(() => window.lensbakeFrames > 0, null, { timeout: 60000 });
+    await page.waitForFunction(() => window.lensbakeFrames > 0);
     await page.waitForTimeout(300);
     const png = await page.screenshot();
     if (out) {

@@ -1,5 +1,5 @@
-// Runs in the page: reads the input of a job and sends back its result. The rays lie in a texture, two texels a ray, and
-// the results in another, one texel a ray, as lines of WIDTH rays.
+// Runs in the page: reads the input of a job and sends back its result. The rays lie in a texture, two texels a ray,
+// and the results in another, one texel a ray, as lines of WIDTH rays.
 
 export const WIDTH = 1024;
 

@@ -1,7 +1,7 @@
 // node readme.mjs FOLDER
-// Runs the first two programs in FOLDER/README.md (kit/three) with a cube texture from six pictures, and with one from a
-// panorama. At r = infinity there is no bending: the picture must be what three.js draws for scene.background. At r = 10
-// its centre must be black. Prints one line of JSON; the exit code is 1 if the programs fail.
+// Runs the first two programs in FOLDER/README.md (kit/three) with a cube texture from six pictures, and with one from
+// a panorama. At r = infinity there is no bending: the picture must be what three.js draws for scene.background. At
+// r = 10 its centre must be black. Prints one line of JSON; the exit code is 1 if the programs fail.
 
 import { readFile } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
@@ -96,7 +96,7 @@ const browser = await start();
 try {
     for (const name of Object.keys(cases)) {
         const page = await open(browser, `${server.url}/${name}.html`, errors);
-        await page.waitForFunction(() => window.report, null, { timeout: 30000 });
+        await page.waitForFunction(() => window.report);
         const { centre, bentBy, differences } = await page.evaluate(() => window.report);
         report[name] = { centre, bentBy, differences };
         if (Math.max(...centre) > 0 || !(bentBy > 5) || !(Math.max(...differences) < 1)) {

@@ -1,7 +1,7 @@
 // node run.mjs JOBS.json
-// Computes directions on the sky with the shaders of kit/ in a browser: GLSL and three.js with WebGL2, WGSL with WebGPU.
-// JOBS.json is a list of jobs; README.md of this folder describes them. Prints one line of JSON; the exit code is 1 if a
-// job fails.
+// Computes directions on the sky with the shaders of kit/ in a browser: GLSL and three.js with WebGL2, WGSL with
+// WebGPU. JOBS.json is a list of jobs; README.md of this folder describes them. Prints one line of JSON; the exit code
+// is 1 if a job fails.
 
 import { readFile, stat, writeFile } from 'node:fs/promises';
 import { dirname, resolve } from 'node:path';

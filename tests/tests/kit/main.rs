@@ -2,6 +2,7 @@
 //! closed form.
 
 mod compilers;
+mod falling;
 mod godot;
 mod native;
 mod python;

@@ -1,7 +1,7 @@
 //! C, and the texts in HLSL and Metal's language, which a C++ compiler takes with stand-ins for their types.
 
 use super::rays::{Answer, Errors, RADII, Ray, rays, rows};
-use super::{bytes_as, report, words_of};
+use super::{HINT, bytes_as, report, words_of};
 use lensbake_test_support::workspace;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -18,7 +18,7 @@ struct Text {
     table: Option<(&'static str, usize)>,
 }
 
-const C: &[&str] = &[
+pub const C: &[&str] = &[
     "gcc",
     "-x",
     "c",
@@ -39,7 +39,7 @@ const CPP: &[&str] = &[
     "-Werror",
     "-DKIT_TYPES=0",
 ];
-const HLSL: &[&str] = &["g++", "-x", "c++", "-std=c++14", "-DKIT_TYPES=1"];
+pub const HLSL: &[&str] = &["g++", "-x", "c++", "-std=c++14", "-DKIT_TYPES=1"];
 const METAL: &[&str] = &[
     "g++",
     "-x",
@@ -51,25 +51,7 @@ const METAL: &[&str] = &[
 
 fn run(text: &Text) -> Errors {
     let folder = TempDir::new().unwrap();
-    let path = |name: &str| folder.path().join(name);
-    let sources = workspace().join("tests/kit");
-    let define = |name: &str, value: String| format!("-D{name}={value}");
     let file = workspace().join("kit").join(text.file);
-    let status = Command::new(text.compiler[0])
-        .args(&text.compiler[1..])
-        .args(["-O2", "-I"])
-        .arg(&sources)
-        .arg(define("KIT_TEXT", format!("\"{}\"", file.display())))
-        .arg(define("KIT_CALL", text.call.to_owned()))
-        .args([
-            Path::new("-o"),
-            &path("run"),
-            &sources.join("run.cc"),
-            Path::new("-lm"),
-        ])
-        .status()
-        .unwrap();
-    assert!(status.success(), "{} does not compile", text.file);
     let mut rays = rays(text.radii);
     let (texels, width): (Vec<f32>, usize) = match text.table {
         None => (words_of(&rows(text.radii)), 64),
@@ -80,17 +62,45 @@ fn run(text: &Text) -> Errors {
             (super::values_and_slopes(file), width)
         }
     };
-    let answers = answers(&path("run"), &rays, &texels, width, &folder);
+    let answers = answers(
+        text.compiler,
+        &file,
+        text.call,
+        &rays,
+        &texels,
+        width,
+        &folder,
+    );
     Errors::of(&rays, &answers)
 }
 
-fn answers(
-    program: &Path,
+/// The answers of `text` to `rays`: compiled with the command `compiler` and `call`, and run with `texels`, `width` a line.
+pub fn answers(
+    compiler: &[&str],
+    text: &Path,
+    call: &str,
     rays: &[Ray],
     texels: &[f32],
     width: usize,
     folder: &TempDir,
 ) -> Vec<Answer> {
+    let sources = workspace().join("tests/kit");
+    let program = folder.path().join("run");
+    let status = Command::new(compiler[0])
+        .args(&compiler[1..])
+        .args(["-O2", "-I"])
+        .arg(&sources)
+        .arg(format!("-DKIT_TEXT=\"{}\"", text.display()))
+        .arg(format!("-DKIT_CALL={call}"))
+        .args([
+            Path::new("-o"),
+            &program,
+            &sources.join("run.cc"),
+            Path::new("-lm"),
+        ])
+        .status()
+        .unwrap_or_else(|e| panic!("{}: {e}: {HINT}", compiler[0]));
+    assert!(status.success(), "{} does not compile", text.display());
     let file = |name: &str, bytes: &[u8]| -> PathBuf {
         let path = folder.path().join(name);
         std::fs::write(&path, bytes).unwrap();

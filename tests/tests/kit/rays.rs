@@ -5,6 +5,7 @@ use glam::DVec3;
 use lensbake_core::rk4::Stepper;
 use lensbake_core::{Observer, RayOutcome, direct, exact};
 use lensbake_tables::default_atlas;
+use rayon::prelude::*;
 use std::f64::consts::PI;
 
 /// Radii of the observers: the finite ones of the test vectors in docs/use.md, and some between them.
@@ -34,11 +35,26 @@ pub type Answer = [f32; 3];
 /// [`RAYS`] rays for each observer: half of them uniform in the view angle, half crowded at the shadow's edge, down to
 /// 1 − x = 1e-6; a tenth of all inside the shadow.
 pub fn rays(radii: &[f64]) -> Vec<Ray> {
+    rays_of(radii, at_rest)
+}
+
+/// The observer at rest at this radius.
+pub fn at_rest(r: f64) -> Observer {
+    Observer::at(r).unwrap()
+}
+
+/// The observer in free fall at this radius.
+pub fn in_fall(r: f64) -> Observer {
+    Observer::falling(r).unwrap()
+}
+
+/// As [`rays`], for the observers that `motion` makes of the radii.
+pub fn rays_of(radii: &[f64], motion: fn(f64) -> Observer) -> Vec<Ray> {
     let mut rng = Rng::with_seed(14);
     let mut rays = Vec::new();
     for (index, &radius) in radii.iter().enumerate() {
         let r = radius as f32;
-        let observer = Observer::at(r.into()).unwrap();
+        let observer = motion(r.into());
         let edge = observer.shadow_angle();
         for i in 0..RAYS {
             let theta = match i % 20 {
@@ -110,17 +126,23 @@ impl Errors {
     /// # Panics
     /// If there are not as many answers as rays.
     pub fn of(rays: &[Ray], answers: &[Answer]) -> Errors {
-        use rayon::prelude::*;
+        Errors::of_moving(rays, answers, at_rest)
+    }
+
+    /// The errors of `answers` to `rays` of the observers that `motion` makes of their radii.
+    ///
+    /// # Panics
+    /// If there are not as many answers as rays.
+    pub fn of_moving(rays: &[Ray], answers: &[Answer], motion: fn(f64) -> Observer) -> Errors {
         assert_eq!(rays.len(), answers.len());
         let pairs = rays.par_iter().zip(answers);
         pairs
-            .map(|(ray, answer)| error(ray, *answer))
+            .map(|(ray, answer)| error(ray, *answer, &motion(ray.r.into())))
             .reduce(Errors::default, Errors::and)
     }
 }
 
-fn error(ray: &Ray, answer: Answer) -> Errors {
-    let observer = Observer::at(ray.r.into()).unwrap();
+fn error(ray: &Ray, answer: Answer, observer: &Observer) -> Errors {
     let [d, hole] = [ray.d, ray.hole].map(|v| DVec3::from(v.map(f64::from)).normalize());
     let theta = d.cross(hole).length().atan2(d.dot(hole));
     let at = observer.shadow_coordinate(theta);
@@ -131,16 +153,20 @@ fn error(ray: &Ray, answer: Answer) -> Errors {
         rays: 1,
         ..Errors::default()
     };
-    match (exact::bend(&observer.ray(theta).unwrap()), seen) {
+    // The bending at rest (at the horizon and below, the orbital angle), and the difference of the two view angles.
+    let frame = observer.in_row_frame();
+    let bend = exact::bend(&frame.ray_at(at));
+    let bend = bend.map(|bend| bend + observer.view_angle(at.x) - frame.view_angle(at.x));
+    match (bend, seen) {
         (RayOutcome::Captured, None) => one,
         (RayOutcome::Escapes(bend), Some(seen)) => {
             assert!((seen.length() - 1.0).abs() < 1e-5, "{ray:?}: {seen}");
             let across = (d - hole * d.dot(hole)).normalize_or_zero();
             let truth = hole * (theta - bend).cos() + across * (theta - bend).sin();
             let radians = 2.0 * (0.5 * seen.normalize().distance(truth)).asin();
-            let slope = direct::bend_and_slope(&observer, at, Stepper::Adaptive(1e-8));
-            let slope = slope.escaped().unwrap().slope;
-            let sky_slope = 1.0 - slope / observer.view_angle_slope(at.x);
+            let slope = direct::bend_and_slope(&frame, at, Stepper::Adaptive(1e-8));
+            let by_x = frame.view_angle_slope(at.x) - slope.escaped().unwrap().slope;
+            let sky_slope = by_x / observer.view_angle_slope(at.x);
             Errors {
                 radians,
                 radians_off_edge: if at.one_minus_x < 0.01 { 0.0 } else { radians },

@@ -10,7 +10,7 @@ use lensbake_tests::probe::{Bindings, probe_with, row_texture};
 use wgpu::*;
 
 /// Declares what a text is called with; `CALL` is the call.
-const PROBE: &str = "
+pub const PROBE: &str = "
 @group(0) @binding(0) var<storage, read> rays: array<array<f32, 8>>;
 @group(0) @binding(1) var<storage, read_write> answers: array<array<f32, 3>>;
 @group(0) @binding(2) var data: texture_2d<f32>;

@@ -1,8 +1,11 @@
 
 import numpy as np
 
+# tan(theta_c/2)/sigma, with theta_c the angle of the edge of the shadow; (5/18) C/sigma, with C the cosine of theta_c for an
+# observer at rest, continued below the horizon; and sigma, which is 1 above the horizon.
 TAN_HALF_SHADOW = TAN_HALF_NUMBER
 LOG_WEIGHT = LOG_WEIGHT_NUMBER
+SIGMA = SCALE_NUMBER
 # Value and slope of each texel.
 ROW = np.array([
 NUMBERS
@@ -19,11 +22,13 @@ def bend_cos_sin(c, p):
     """As bend, from the cosine and the sine of theta."""
     c, p = np.asarray(c, dtype=float), np.asarray(p, dtype=float)
     with np.errstate(divide="ignore", invalid="ignore"):
-        x = TAN_HALF_SHADOW * np.where(c < 0.0, p / (1.0 - c), (1.0 + c) / np.maximum(p, 1e-300))
-        x = np.where(x < 1.0, x, np.nan)
+        n = TAN_HALF_SHADOW * np.where(c < 0.0, p, 1.0 + c)
+        x = n / (np.where(c < 0.0, 1.0 - c, p) - (SIGMA - 1.0) * n)
+        # The denominator is negative inside the shadow.
+        x = np.where((x >= 0.0) & (x < 1.0), x, np.nan)
         d = 1.0 - x
         last = len(ROW) - 1
-        position = np.sqrt(d / (1.0 + np.sqrt(x))) * last
+POSITION
         i = np.minimum(np.nan_to_num(position).astype(int), last - 1)
         t = position - i
         a, slope_a, b, slope_b = ROW[i, 0], ROW[i, 1], ROW[i + 1, 0], ROW[i + 1, 1]

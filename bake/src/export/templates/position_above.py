@@ -1,0 +1,1 @@
+        position = np.sqrt(d / (1.0 + np.sqrt(x))) * last
