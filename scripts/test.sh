@@ -49,6 +49,12 @@ if [ "$(uname)" = Linux ]; then
     has_python_module ensurepip || missing="$missing python3-venv"
     has_program node || missing="$missing nodejs"
     has_program npm || missing="$missing npm"
+    has_program gcc || missing="$missing gcc"
+    has_program glslangValidator || missing="$missing glslang-tools"
+    has_program chromium || missing="$missing chromium"
+    has_program godot3 || missing="$missing godot3"
+    has_program xvfb-run || missing="$missing xvfb"
+    has_program xauth || missing="$missing xauth"
 fi
 
 if [ -n "$missing" ]; then

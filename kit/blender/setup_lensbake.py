@@ -191,7 +191,7 @@ def report(scene, camera, new_sky):
     objects = [o.name for o in scene.objects if o.type not in ("CAMERA", "LIGHT", "EMPTY") and not o.hide_render]
     print(f"lensbake: the scene's camera is now {camera.name!r}: {values}")
     print("  parameters: select it; Camera properties > Lens > Parameters (radius in Schwarzschild radii, angles in °)")
-    print("  direction of the hole: the camera's axis; turn the camera object, or pan and tilt")
+    print("  direction of the hole: the axis of the camera object; pan, tilt and roll turn the view, not the hole")
     print("  sky: World properties > Color" + (f"; {scene.world.name!r} is new, for an example" if new_sky else ""))
     if objects:
         print(f"  seen as well, as if infinitely far: {', '.join(objects[:5])}{', ...' if len(objects) > 5 else ''}")

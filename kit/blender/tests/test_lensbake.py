@@ -25,9 +25,8 @@ WIDTH, HEIGHT = 480, 270
 
 # The largest errors of all views; behind them, what bpy 5.0.1 gives on x86-64.
 # A view direction and a direction on the sky are three f32 each, in Cycles as in the world shader. Rounding the former
-# by e moves the latter by e dθ'/dθ, so the error is bounded in rad after division by 1 + |dθ'/dθ|. Rounding alone gives
-# up to 1e-6 there; most of the rest is the arc tangent of OSL, in the row of the radius.
-MAX_RAD = 2.5e-6  # 1.9e-6
+# by e moves the latter by e dθ'/dθ, so the error is bounded in rad after division by 1 + |dθ'/dθ|.
+MAX_RAD = 1e-6  # 7.8e-7
 # In image space, of pixels WIDTH wide. The largest is in the view 1° across, where rounding by 1.2e-7 is 3e-3 pixels.
 MAX_PX = 7e-3  # 5.2e-3
 # Where only one of the two takes the ray for captured: how far it is from the edge of the shadow.
@@ -127,11 +126,11 @@ def angle_between(a, b):
 def view(camera, pan, tilt, roll):
     """The orientation of a plain camera with the same view, and the direction of the hole, in the world."""
     across = camera.matrix_world.to_3x3().normalized()
-    pan, tilt = math.radians(pan), math.radians(tilt)
-    # In the frame of the camera object: X to the right, Y up, the axis along −Z.
-    hole = (-math.sin(pan) * math.cos(tilt), -math.sin(tilt), -math.cos(pan) * math.cos(tilt))
-    rolled = across.to_4x4() @ Matrix.Rotation(math.radians(roll), 4, "Z")
-    return rolled, np.array(across, np.float64) @ np.array(hole)
+    # The camera object looks at the hole. In its frame, X is to the right, Y up, and the axis along −Z.
+    turned = across.to_4x4()
+    for axis, degrees in (("Y", -pan), ("X", tilt), ("Z", -roll)):
+        turned = turned @ Matrix.Rotation(math.radians(degrees), 4, axis)
+    return turned, -np.array(across, np.float64)[:, 2]
 
 
 def compare_directions(bake, work, camera, r, fov, pan, tilt, roll):
@@ -287,24 +286,25 @@ def check_picture(viewer, work):
     scene.cycles.use_adaptive_sampling = False
     ok = True
     print("Cycles, 64 samples a pixel, against viewer render, of 255:")
-    for r, fov, yaw in ((10, 90, 0), (3, 60, 70)):
+    for r, fov, yaw, pitch, roll in ((10, 90, 0, 0, 0), (3, 60, 70, 20, 30)):
         # The middle of Blender's panorama is +X, of the viewer's −Z; both have the right half on its right.
-        camera = setup(work, "--radius", r, "--fov", fov, "--pan", yaw)
-        camera.rotation_euler = (0.5 * math.pi, 0.0, -0.5 * math.pi - math.radians(yaw))
+        camera = setup(work, "--radius", r, "--fov", fov, "--pan", yaw, "--tilt", pitch, "--roll", roll)
+        camera.rotation_euler = (0.5 * math.pi, 0.0, -0.5 * math.pi)
         scene.cycles.samples = 64
         scene.cycles.pixel_filter_type, scene.cycles.filter_width = "BOX", 1.0
         render_size(960, 540)
         start = time.perf_counter()
         cycles = render(os.path.join(work, "cycles.exr"))
         seconds = time.perf_counter() - start
-        command = [viewer, "render", "-r", str(r), "--fov", str(fov), "--yaw", str(yaw), "--size", "960x540"]
+        command = [viewer, "render", "-r", str(r), "--fov", str(fov), "--size", "960x540"]
+        command += ["--yaw", str(yaw), "--pitch", str(pitch), "--roll", str(roll)]
         command += ["--device", "cpu", "-s", sky_file, "-o", viewer_file]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         difference = np.abs(srgb(cycles) - srgb(pixels(viewer_file))).max(axis=-1)
         mean, most, largest = difference.mean(), np.quantile(difference, 0.999), difference.max()
         print(
-            f"  r = {r}, fov {fov}°, yaw {yaw}°: mean {mean:.3f}, 99.9 % below {most:.2f}, largest {largest:.1f}"
-            f" ({seconds:.0f} s)",
+            f"  r = {r}, fov {fov}°, pan {yaw}°, tilt {pitch}°, roll {roll}°: mean {mean:.3f}, 99.9 % below {most:.2f},"
+            f" largest {largest:.1f} ({seconds:.0f} s)",
             flush=True,
         )
         ok &= mean <= MAX_MEAN and most <= MAX_999

@@ -8,7 +8,7 @@ use lensbake_core::Observer;
 use lensbake_test_support::fetched;
 use lensbake_tests::gpu;
 use lensbake_tests::probe::{Bindings, probe_with};
-use std::path::PathBuf;
+use std::path::Path;
 use std::process::Command;
 use tempfile::TempDir;
 
@@ -37,7 +37,7 @@ fn check(
     language: Language,
     radii: &[f64],
     bound: f64,
-    run: impl Fn(PathBuf, &[Ray], &TempDir) -> Vec<Answer>,
+    run: impl Fn(&Path, &[Ray], &TempDir) -> Vec<Answer>,
 ) {
     for &radius in radii {
         let folder = TempDir::new().unwrap();
@@ -46,7 +46,7 @@ fn check(
             .join(format!("lensbake.{}", language.extension()));
         std::fs::write(&path, text(language, radius)).unwrap();
         let rays = rays_of(&[radius], in_fall);
-        let answers = run(path, &rays, &folder);
+        let answers = run(&path, &rays, &folder);
         report(
             &format!("{name}, fall, r = {radius}"),
             Errors::of_moving(&rays, &answers, in_fall),
@@ -60,8 +60,9 @@ fn hlsl_in_cpp() {
     check(
         "HLSL in C++",
         Language::Hlsl,
+        &RADII,
         BOUND,
-        |path, rays, folder| answers(HLSL, &path, "lensbake(d,hole)", rays, &[], 1, folder),
+        |path, rays, folder| answers(HLSL, path, "lensbake(d,hole)", rays, &[], 1, folder),
     );
 }
 
@@ -69,7 +70,7 @@ fn hlsl_in_cpp() {
 fn c() {
     let options = [C, &["-DKIT_ONE=1"]].concat();
     check("C99", Language::C, &RADII, BOUND, |path, rays, folder| {
-        answers(&options, &path, "lensbake(d,hole)", rays, &[], 1, folder)
+        answers(&options, path, "lensbake(d,hole)", rays, &[], 1, folder)
     });
 }
 

@@ -1,6 +1,7 @@
 //! The texts of `kit/`: each is compiled by a compiler of its language and run, and its answers are compared with the
 //! closed form.
 
+mod browser;
 mod compilers;
 mod falling;
 mod godot;
