@@ -20,8 +20,27 @@
 //! horizon. A [`MovingFrame`] is the frame of an observer in any motion; it adds the aberration of the view direction and
 //! the frequency shift. [`geodesic`] has the free fall and the circular orbit by proper time.
 //!
-//! The crate depends on no other crate of the project
-//! and contains nothing about files, tables or GPUs.
+//! ```
+//! use lensbake_core::rk4::Stepper;
+//! use lensbake_core::{Observer, direct, exact};
+//!
+//! # fn main() -> Result<(), lensbake_core::CoreError> {
+//! // From ten Schwarzschild radii the shadow has a radius of 14.27°. Looking 15° beside the centre of the hole, one sees
+//! // light from 139° on the other side; looking straight away from the hole, light that is not bent.
+//! let observer = Observer::at(10.0)?;
+//! assert!((observer.shadow_angle().to_degrees() - 14.269).abs() < 1e-3);
+//! for (theta, bend) in [(15.0, 153.537), (30.0, 29.575), (90.0, 6.356), (180.0, 0.0)] {
+//!     let ray = observer.ray(f64::to_radians(theta))?;
+//!     let closed = exact::bend(&ray).escaped().unwrap();
+//!     let integrated = direct::bend(&ray, Stepper::Adaptive(1e-9)).escaped().unwrap();
+//!     assert!((closed.to_degrees() - bend).abs() < 1e-3);
+//!     assert!((integrated - closed).abs() < 1e-8);
+//! }
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! The crate depends on no other crate of the project and contains nothing about files, tables or GPUs.
 
 mod boost;
 pub mod direct;

@@ -5,19 +5,81 @@
 //! lookup runs on a GPU: [`lookup::WGSL`].
 //!
 //! ```
-//! use lensbake_core::{RayOutcome, Observer};
+//! use lensbake_core::{Observer, RayOutcome};
 //! use lensbake_tables::default_atlas;
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let observer = Observer::at(10.0)?;
-//! let row = default_atlas().row(observer)?;
+//! let observer = Observer::at(10.0)?; // at rest, ten Schwarzschild radii from the hole
+//! let row = default_atlas().row(observer)?; // interpolated between four rows of the atlas
 //! match row.bend(observer.shadow_coordinate(0.5)) {
+//!     // 0.5 rad from the direction of the hole
 //!     RayOutcome::Escapes(bend) => assert!((bend - 0.553_166_226).abs() < 1e-7),
 //!     RayOutcome::Captured => unreachable!("0.5 rad is outside the shadow"),
 //! }
 //! # Ok(())
 //! # }
 //! ```
+//!
+//! A picture is a lookup for each pixel. Here is a sky in squares of 15° by 45° around the direction of the hole, in a
+//! picture 90° across:
+//!
+//! ```
+//! # use lensbake_core::{Observer, RayOutcome};
+//! # use lensbake_tables::default_atlas;
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let observer = Observer::at(10.0)?;
+//! let row = default_atlas().row(observer)?;
+//! let mut picture = String::new();
+//! for line in 0..23 {
+//!     for column in 0..78 {
+//!         // The picture is 2 units wide at distance 1; a character is twice as high as wide.
+//!         let (x, y) = ((f64::from(column) - 38.5) / 39.0, (11.0 - f64::from(line)) / 19.5);
+//!         let theta = x.hypot(y).atan();
+//!         picture.push(match row.bend(observer.shadow_coordinate(theta)) {
+//!             RayOutcome::Captured => '#',
+//!             RayOutcome::Escapes(bend) => {
+//!                 let sky = (theta - bend).to_degrees(); // in the plane of the ray, negative beyond the hole
+//!                 let azimuth = y.atan2(x).to_degrees();
+//!                 let square = (sky / 15.0).floor() + (azimuth / 45.0).floor();
+//!                 if square.rem_euclid(2.0) == 1.0 { '.' } else { ' ' }
+//!             }
+//!         });
+//!     }
+//!     picture.push('\n');
+//! }
+//! println!("{picture}");
+//! # assert_eq!(picture.matches('#').count(), 152);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! ```text
+//! .....            ...               ....    ...............   ............
+//! ....              .          ..........          .......... ..............
+//! ..              .....     ............ .            .....     ..............
+//! ..            .................        ........                 ............
+//! .            .........   ...     ......      .....   ...         ............
+//!             ........      .  ...   ....    ...   .. ......        ............
+//!            ........     ...  . .. .... .    .  . ..   .....        ...........
+//!            .......     ...  . ...############   . ..   .....       ...........
+//!           .......     ...  .  .################ .. ..   .....       ..........
+//!           .......    ...  .   ##################... ..   ....       ..........
+//!           .......    ... ....####################    .   ....       ..........
+//! ..........       ....   . . .####################. . .   ....       ..........
+//! ..........       ....   .    ####################.... ...    .......
+//! ..........       ....   .. ...##################   .  ...    .......
+//! ..........       .....   .. .. ################.  .  ...     .......
+//! ...........       .....   .. .   ############... .  ...     .......
+//! ...........        .....   .. .  .    . .... .. .  ...     ........
+//! ............        ...... ..   ...    ....   ...  .      ........
+//!  ............         ...   .....      ......     ...   .........            .
+//!   ............                 ........        .................            ..
+//!   ..............     .....            . ............     .....              ..
+//!     .............. ..........          ..........          .              ....
+//!      ............   ...............    ....               ...            .....
+//! ```
+//!
+//! Elsewhere than in Rust, take a text of `bake export`: the lookup for shaders, Blender, Python and C.
 
 mod atlas;
 mod axis;

@@ -56,6 +56,10 @@ fn check(
 }
 
 #[test]
+#[cfg_attr(
+    any(feature = "no-readers", not(target_os = "linux")),
+    ignore = "feature no-readers, or not Linux"
+)]
 fn hlsl_in_cpp() {
     check(
         "HLSL in C++",
@@ -67,6 +71,10 @@ fn hlsl_in_cpp() {
 }
 
 #[test]
+#[cfg_attr(
+    any(feature = "no-readers", not(target_os = "linux")),
+    ignore = "feature no-readers, or not Linux"
+)]
 fn c() {
     let options = [C, &["-DKIT_ONE=1"]].concat();
     check("C99", Language::C, &RADII, BOUND, |path, rays, folder| {

@@ -120,6 +120,10 @@ pub fn answers(
 }
 
 #[test]
+#[cfg_attr(
+    any(feature = "no-readers", not(target_os = "linux")),
+    ignore = "feature no-readers, or not Linux"
+)]
 fn c() {
     let text = Text {
         file: "c/lensbake.h",
@@ -137,6 +141,10 @@ fn c() {
 }
 
 #[test]
+#[cfg_attr(
+    any(feature = "no-readers", not(target_os = "linux")),
+    ignore = "feature no-readers, or not Linux"
+)]
 fn hlsl_and_metal() {
     let row = Text {
         file: "hlsl/lensbake.hlsl",
