@@ -16,7 +16,7 @@ int main(int count, char **arguments) {
     for (int degrees = 10; degrees <= 180; degrees += 10) {
         float theta = (float)degrees * 0.017453293f;
         float bend = lensbake_bend(cosf(theta), sinf(theta), lensbake_shadow_edge((float)r), row);
-        if (bend > 1e8f) {
+        if (bend > 1e3f) {
             printf("%3d  captured\n", degrees);
         } else {
             printf("%3d  %.7f rad\n", degrees, (double)bend);

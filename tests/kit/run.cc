@@ -2,17 +2,27 @@
 //   KIT_TEXT    the file to include
 //   KIT_TYPES   1: vectors and textures from shader_types.h; 0: those of the text itself (C)
 //   KIT_CALL    the call, with the arguments d, hole, r and data
+//   KIT_HALF    in C, 1 to compute in 16-bit floats
 //   KIT_ONE     in C, 1 for a text for one observer, in which no row is mixed
 // Arguments: rays, texels (f32, `width` a line), width, out. A ray is 8 floats: r, d, hole, and the number of its first line of
 // texels. The result is 3 floats a ray.
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #if KIT_TYPES
 #include "shader_types.h"
 #endif
+
+#if KIT_HALF
+#define float _Float16
+typedef _Float16 Number;
+#else
+typedef float Number;
+#endif
 #include KIT_TEXT
+#undef float
 
 static float *read_floats(const char *path, size_t *count) {
     FILE *file = fopen(path, "rb");
@@ -54,9 +64,10 @@ int main(int count, char **arguments) {
         (void)data;
         const float3 seen = KIT_CALL;
 #else
-        const lensbake_vec3 d = {ray[1], ray[2], ray[3]}, hole = {ray[4], ray[5], ray[6]};
+        const lensbake_vec3 d = lensbake_make_vec3((Number)ray[1], (Number)ray[2], (Number)ray[3]);
+        const lensbake_vec3 hole = lensbake_make_vec3((Number)ray[4], (Number)ray[5], (Number)ray[6]);
 #if !KIT_ONE
-        static float data[2 * 4096];
+        static Number data[2 * 4096];
         static float row_of = -1.0f;
         if (row_of != r) {
             lensbake_row(r, data);
@@ -65,7 +76,7 @@ int main(int count, char **arguments) {
 #endif
         const lensbake_vec3 seen = KIT_CALL;
 #endif
-        const float direction[3] = {seen.x, seen.y, seen.z};
+        const float direction[3] = {(float)seen.x, (float)seen.y, (float)seen.z};
         fwrite(direction, sizeof(float), 3, out);
     }
     return fclose(out) != 0;

@@ -124,7 +124,7 @@ fn interface(request: &Request, place: Place, rows: u32) -> Vec<String> {
         "",
         &format!(
             "{name}_bend returns the bending (deflection angle) in radians. Compute in 32-bit floats: with 16 bits \
-             (mediump, half) the picture is wrong by tens of pixels."
+             (mediump, half) the picture is off by up to 3 pixels and grainy."
         ),
     ));
     lines

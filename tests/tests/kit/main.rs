@@ -23,17 +23,28 @@ const HINT: &str = lensbake_test_support::READERS_HINT;
 
 /// Prints the errors of a text, and checks them.
 fn report(name: &str, errors: Errors, bound: f64) {
+    print(name, errors);
+    assert!(errors.length < 1e-5, "{name}: {:e}", errors.length);
+    assert!(
+        errors.rays > 0 && errors.pixels < bound,
+        "{name}: {:e} px",
+        errors.pixels
+    );
+}
+
+fn print(name: &str, errors: Errors) {
     let Errors {
         rays,
         pixels,
         radians,
         radians_off_edge,
         wrong,
+        ..
     } = errors;
     println!(
-        "{name:24} {rays:7} rays  {pixels:.1e} px  {radians_off_edge:.1e} rad ({radians:.1e} at the edge)  wrong outcome: {wrong}"
+        "{name:24} {rays:7} rays  {pixels:.1e} px  {radians_off_edge:.1e} rad ({radians:.1e} at the edge)  wrong outcome: \
+         {wrong}"
     );
-    assert!(rays > 0 && pixels < bound, "{name}: {pixels:e} px");
 }
 
 fn bytes_as<T: bytemuck::Pod>(bytes: &[u8]) -> Vec<T> {

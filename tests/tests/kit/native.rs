@@ -7,11 +7,14 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use tempfile::TempDir;
 
+/// Largest error of 16-bit floats, in pixels.
+const HALF_BOUND: f64 = 3.0;
+
 /// A text to run.
-struct Text {
+struct Text<'a> {
     file: &'static str,
     /// What compiles it.
-    compiler: &'static [&'static str],
+    compiler: &'a [&'a str],
     call: &'static str,
     radii: &'static [f64],
     /// The table, with the number of its texels in a line; `None` for the row of each observer.
@@ -189,4 +192,39 @@ fn hlsl_and_metal() {
     report("Metal in C++, row", run(&row), super::F32_BOUND);
     report("Metal in C++, array", run(&one), super::F32_BOUND);
     report("Metal in C++, simple", run(&simple), super::SIMPLE_BOUND);
+}
+
+/// What the kit says of 16-bit floats: the picture is off by up to 3 pixels.
+#[test]
+#[cfg_attr(
+    any(
+        feature = "no-readers",
+        not(target_os = "linux"),
+        not(target_arch = "x86_64")
+    ),
+    ignore = "feature no-readers, or not Linux on x86-64"
+)]
+fn half_precision_costs_pixels() {
+    let compiler = [
+        "gcc",
+        "-x",
+        "c",
+        "-fexcess-precision=16",
+        "-DKIT_TYPES=0",
+        "-DKIT_HALF=1",
+    ];
+    let text = Text {
+        file: "c/lensbake.h",
+        compiler: &compiler,
+        call: "lensbake(d,hole,r,data)",
+        radii: &[1000.0, 100.0, 10.0, 3.0, 1.5],
+        table: None,
+    };
+    let errors = run(&text);
+    super::print("C, 16-bit floats", errors);
+    assert!(
+        (0.5..HALF_BOUND).contains(&errors.pixels),
+        "{} px",
+        errors.pixels
+    );
 }

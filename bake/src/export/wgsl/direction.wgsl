@@ -14,7 +14,7 @@ fn lensed(d: vec3<f32>, hole: vec3<f32>, OBSERVER, DATA) -> vec3<f32> {
     let p: f32 = sqrt(x * x + y * y + z * z);
     let c: f32 = side + along;
     let angle: f32 = bend(c, p, shadow_edge(OBSERVER), RADIUS, DATA);
-    if (angle > 1e8) {
+    if (angle > 1e3) {
         return vec3<f32>(0.0, 0.0, 0.0);
     }
     let sky: vec2<f32> = turned(c, p, angle);
