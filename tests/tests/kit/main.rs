@@ -5,6 +5,7 @@ mod browser;
 mod compilers;
 mod falling;
 mod godot;
+mod mistakes;
 mod native;
 mod python;
 mod rays;
