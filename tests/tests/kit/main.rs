@@ -33,6 +33,7 @@ fn report(name: &str, errors: Errors, bound: f64) {
     );
 }
 
+#[expect(clippy::print_stdout, reason = "the figures of the tests")]
 fn print(name: &str, errors: Errors) {
     let Errors {
         rays,
