@@ -281,3 +281,90 @@ fn arguments<'a, 'b>(tokens: &'b [Token<'a>], open: usize) -> (Vec<&'b [Token<'a
     }
     panic!("a bracket is not closed");
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::dialect::{C, GLSL, HLSL, OSL, WGSL};
+    use super::*;
+
+    const SOURCE: &str = "// A pair.
+struct Pair {
+    // The first.
+    a: f32,
+    b: i32,
+}
+
+fn sum(pair: Pair, sum: vec2<f32>) -> f32 {
+    let largest: f32 = max(sum.x, select(1e-3, f32(pair.b), pair.a >= 2.0));
+    if (largest > 1.5) {
+        return -largest;
+    }
+    return select(select(1.0, 2.0, largest < 0.0), vec2<f32>(3.0, 4.0).x, pair.b == 1);
+}
+
+fn lensed() -> f32 {
+    var pair: Pair;
+    return sum(pair, vec2<f32>(1.0, 2.0));
+}
+";
+
+    #[test]
+    fn types_functions_and_selections_are_rewritten() {
+        let glsl = rewrite(SOURCE, &GLSL, "bent");
+        for line in [
+            "// A pair.",
+            "struct bent_Pair {",
+            "    // The first.",
+            "    float a;",
+            "    int b;",
+            "};",
+            "float bent_sum(bent_Pair pair, vec2 sum) {",
+            "    float largest = max(sum.x, (pair.a >= 2.0 ? float(pair.b) : 1e-3));",
+            "    return (pair.b == 1 ? vec2(3.0, 4.0).x : (largest < 0.0 ? 2.0 : 1.0));",
+            "float bent() {",
+            "    bent_Pair pair;",
+            "    return bent_sum(pair, vec2(1.0, 2.0));",
+        ] {
+            assert!(glsl.lines().any(|own| own == line), "{line}\n{glsl}");
+        }
+    }
+
+    #[test]
+    fn each_language_has_its_own_types_and_numbers() {
+        for (dialect, lines) in [
+            (&HLSL, &["float bent_sum(bent_Pair pair, float2 sum) {"][..]),
+            (
+                &OSL,
+                &["float bent_sum(bent_Pair pair, FUNCTION_vec2 sum) {"],
+            ),
+            (
+                &C,
+                &[
+                    "typedef struct {",
+                    "} bent_Pair;",
+                    "static inline float bent_sum(bent_Pair pair, FUNCTION_vec2 sum) {",
+                    "    float largest = fmaxf(sum.x, (pair.a >= 2.0f ? (float)(pair.b) : 1e-3f));",
+                    "static inline float bent(void) {",
+                ],
+            ),
+            (
+                &WGSL,
+                &[
+                    "fn bent_sum(pair: bent_Pair, sum: vec2<f32>) -> f32 {",
+                    "fn bent() -> f32 {",
+                ],
+            ),
+        ] {
+            let text = rewrite(SOURCE, dialect, "bent");
+            for line in lines {
+                assert!(text.lines().any(|own| own == *line), "{line}\n{text}");
+            }
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "has no type")]
+    fn a_variable_without_a_type_is_refused() {
+        rewrite("fn f() -> f32 { let x = 1.0; return x; }", &GLSL, "f");
+    }
+}

@@ -73,3 +73,23 @@ fn one_observer() {
         F32_BOUND,
     );
 }
+
+/// The package's own tests: its files, damaged ones, moving observers.
+#[test]
+#[cfg_attr(
+    any(feature = "no-readers", not(target_os = "linux")),
+    ignore = "feature no-readers, or not Linux"
+)]
+fn the_package_passes_its_tests() {
+    let output = Command::new(fetched(env!("CARGO_TARGET_TMPDIR")).join("venv/bin/python"))
+        .current_dir(workspace().join("kit/python"))
+        .env("PYTHONDONTWRITEBYTECODE", "1")
+        .args(["-W", "error", "-m", "unittest", "discover", "-s", "tests"])
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        output.status.success() && !said.contains("skipped"),
+        "{said}"
+    );
+}
