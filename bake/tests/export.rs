@@ -65,7 +65,12 @@ fn a_bad_call_says_in_one_line_what_is_wrong() {
     let folder = TempDir::new().unwrap();
     let locked = folder.path().join("no/such/folder/x.glsl");
     let locked = locked.to_str().unwrap();
-    let cases: [(&[&str], &[&str]); 16] = [
+    let cases: [(&[&str], &[&str]); 18] = [
+        (&["--to", "glsl", "--motion", "fall"], &["--observer"]),
+        (
+            &["--to", "glsl", "--observer", "0.001", "--motion", "fall"],
+            &["--observer", "0.01 or more"],
+        ),
         (
             &["--to", "c", "--data", "x.exr"],
             &["--data", "reads no file"],
@@ -88,7 +93,7 @@ fn a_bad_call_says_in_one_line_what_is_wrong() {
         ),
         (
             &["--to", "glsl", "--observer", "ten"],
-            &["--observer", "above 1"],
+            &["--observer", "number"],
         ),
         (&["--to", "fortran"], &["--to", "fortran"]),
         (&["--observer", "10"], &["--to"]),
@@ -139,7 +144,7 @@ fn stated_errors(options: &[&str], folder: &Path) -> [f64; 2] {
     let mut command = vec!["export", "--output", path.to_str().unwrap()];
     command.extend(options);
     BAKE.run(&command).succeeds();
-    let text = fs::read_to_string(&path).unwrap();
+    let text = fs::read_to_string(&path).unwrap().replace("\n// ", " ");
     let word_before = |what: &str| {
         let line = text.lines().find(|line| line.contains(what)).unwrap();
         let before = line.split(what).next().unwrap();
@@ -190,8 +195,45 @@ fn names_begin_with_that_of_the_function() {
         .succeeds();
     assert!(run.stdout.contains("vec3 bent(vec3 d, vec3 hole)"));
     assert!(run.stdout.contains("const float bent_numbers[128]"));
-    assert!(!run.stdout.contains("lensbake_") && !run.stdout.contains("FUNCTION"));
+    assert!(!run.stdout.contains("lensbake_") && !run.stdout.contains('$'));
     assert!(run.stdout.is_ascii());
+}
+
+/// A name may be a word that the program uses for itself.
+#[test]
+fn any_name_is_taken_as_it_is() {
+    for name in [
+        "FUNCTION",
+        "ROW",
+        "DATA_FILE",
+        "lensed",
+        "bend",
+        "TEXEL_COUNT",
+    ] {
+        for language in ["glsl", "c", "osl", "three"] {
+            let options = [
+                "export",
+                "--to",
+                language,
+                "--observer",
+                "3",
+                "--function",
+                name,
+                "-o",
+                "-",
+            ];
+            let text = BAKE.run(&options).succeeds().stdout;
+            assert!(
+                text.contains(&format!("{name}(d, hole")),
+                "{language} {name}"
+            );
+            assert!(
+                text.contains(&format!("{name}_turned(")),
+                "{language} {name}"
+            );
+            assert!(!text.contains('$'), "{language} {name}");
+        }
+    }
 }
 
 #[test]
@@ -204,7 +246,6 @@ fn no_marker_is_left_in_any_text() {
         )
         .unwrap();
         let markers = [
-            "FUNCTION",
             "DATA",
             "RADIUS",
             "OBSERVER",
@@ -213,6 +254,10 @@ fn no_marker_is_left_in_any_text() {
             "TEXEL_COUNT",
             "ROW_",
         ];
+        assert!(
+            !text.contains("$function") && !text.contains("$guard"),
+            "{options:?}"
+        );
         for marker in markers {
             let words = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
             let left: Vec<_> = words.filter(|word| word.starts_with(marker)).collect();

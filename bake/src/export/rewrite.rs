@@ -335,14 +335,14 @@ fn lensed() -> f32 {
             (&HLSL, &["float bent_sum(bent_Pair pair, float2 sum) {"][..]),
             (
                 &OSL,
-                &["float bent_sum(bent_Pair pair, FUNCTION_vec2 sum) {"],
+                &["float bent_sum(bent_Pair pair, $function_vec2 sum) {"],
             ),
             (
                 &C,
                 &[
                     "typedef struct {",
                     "} bent_Pair;",
-                    "static inline float bent_sum(bent_Pair pair, FUNCTION_vec2 sum) {",
+                    "static inline float bent_sum(bent_Pair pair, $function_vec2 sum) {",
                     "    float largest = fmaxf(sum.x, (pair.a >= 2.0f ? (float)(pair.b) : 1e-3f));",
                     "static inline float bent(void) {",
                 ],

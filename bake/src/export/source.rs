@@ -128,7 +128,7 @@ impl Shape {
     /// Name of the array of numbers in the functions.
     pub fn array_name(&self, dialect: &Dialect) -> &'static str {
         match (self.place, dialect.has_constants) {
-            (Place::Array | Place::Atlas, true) => "FUNCTION_numbers",
+            (Place::Array | Place::Atlas, true) => "$function_numbers",
             _ => "row",
         }
     }

@@ -21,7 +21,7 @@ pub fn text(request: &Request, shape: &Shape, numbers: &Numbers) -> String {
     let array = match in_text && dialect.has_constants {
         true => {
             let name = if request.language == Language::C {
-                "FUNCTION_numbers"
+                "$function_numbers"
             } else {
                 array
             };
@@ -47,11 +47,8 @@ pub fn text(request: &Request, shape: &Shape, numbers: &Numbers) -> String {
         Language::Python => text,
     };
     let text = text
-        .replace(
-            "FUNCTION_GUARD",
-            &(request.function.to_uppercase() + "_INCLUDED"),
-        )
-        .replace("FUNCTION", &request.function);
+        .replace("$guard", &(request.function.to_uppercase() + "_INCLUDED"))
+        .replace("$function", &request.function);
     match request.language {
         Language::Wgsl => text,
         _ => in_ascii(&text),
@@ -60,7 +57,7 @@ pub fn text(request: &Request, shape: &Shape, numbers: &Numbers) -> String {
 
 /// `text` in which nothing is declared twice if it is included twice.
 fn guarded(text: &str, includes: &str) -> String {
-    format!("\n#ifndef FUNCTION_GUARD\n#define FUNCTION_GUARD\n{includes}{text}\n#endif\n")
+    format!("\n#ifndef $guard\n#define $guard\n{includes}{text}\n#endif\n")
 }
 
 /// Not all compilers take other characters, even in comments.
@@ -116,7 +113,7 @@ fn osl(text: &str, shape: &Shape, numbers: &Numbers) -> String {
         .replace("ROW_LENGTH", &(2 * numbers.stored().len()).to_string())
         .replace("NUMBERS", &numbers.lines(""))
         .replace("ARGUMENTS", arguments);
-    format!("\nstruct FUNCTION_vec2 {{\n    float x;\n    float y;\n}};\n{text}{camera}")
+    format!("\nstruct $function_vec2 {{\n    float x;\n    float y;\n}};\n{text}{camera}")
 }
 
 fn three(request: &Request, shape: &Shape, functions: &str) -> String {
@@ -126,7 +123,7 @@ fn three(request: &Request, shape: &Shape, functions: &str) -> String {
             include_str!("templates/three_row.js"),
         ),
         Place::Filtered => (
-            "DataTexture, LinearFilter, RedFormat, TEXTURE_TYPE",
+            "DataTexture, LinearFilter, RedFormat",
             include_str!("templates/three_simple.js"),
         ),
         Place::Array | Place::Atlas => ("", ""),
@@ -149,17 +146,24 @@ fn three(request: &Request, shape: &Shape, functions: &str) -> String {
         (names, Precision::F16, Place::Row) => {
             format!("\nimport {{ DataUtils, {names} }} from 'three';\n")
         }
+        (names, _, Place::Filtered) => {
+            format!("\nimport {{ {names}, {texture_type} }} from 'three';\n")
+        }
         (names, ..) => format!("\nimport {{ {names} }} from 'three';\n"),
     };
     let file = request.data.as_ref().and_then(|(path, _)| path.file_name());
     let file = file.map_or(String::new(), |name| name.to_string_lossy().into_owned());
-    format!("{import}\n/** The functions, to be put before the main function of a shader. */\nexport const glsl = /* glsl */ `{functions}`;\n{template}")
+    let template = template
         .replace("TEXEL_COUNT", &shape.texels.to_string())
         .replace("ROW_COUNT", &shape.rows.to_string())
         .replace("NUMBER_TYPE", number_type)
-        .replace("TEXTURE_TYPE", texture_type)
         .replace("READ_NUMBERS", read)
-        .replace("DATA_FILE", &file)
+        .replace("TEXTURE_TYPE", texture_type)
+        .replace("DATA_FILE", &file);
+    format!(
+        "{import}\n/** The functions, to be put before the main function of a shader. */\n\
+         export const glsl = /* glsl */ `{functions}`;\n{template}"
+    )
 }
 
 fn python(request: &Request, shape: &Shape, numbers: &Numbers) -> String {
@@ -188,5 +192,5 @@ fn python(request: &Request, shape: &Shape, numbers: &Numbers) -> String {
         .replace("POSITION\n", position)
         .replace("NUMBERS", &numbers.lines(""))
         .replace("DECODE", &decode)
-        .replace("FUNCTION", &request.function)
+        .replace("$function", &request.function)
 }

@@ -37,7 +37,7 @@ POSITION
         return value - (1.0 + LOG_WEIGHT * d) * np.log(d)
 
 
-def FUNCTION(d, hole):
+def $function(d, hole):
     """The unit directions on the sky from which the light comes that is seen in the directions d, array of shape (..., 3).
     hole is the direction of the hole, in the same frame. NaN where the ray ends in the hole."""
     d, hole = (v / np.linalg.norm(v, axis=-1, keepdims=True) for v in (np.asarray(d, float), np.asarray(hole, float)))

@@ -19,7 +19,7 @@ void mainImage(out vec4 colour, in vec2 pixel) {
     vec3 d = normalize(vec3(at, -1.0));
     d.yz = mat2(cos(turn.y), sin(turn.y), -sin(turn.y), cos(turn.y)) * d.yz;
     d.xz = mat2(cos(turn.x), -sin(turn.x), sin(turn.x), cos(turn.x)) * d.xz;
-    vec3 from = FUNCTION(d, vec3(0.0, 0.0, -1.0));
+    vec3 from = $function(d, vec3(0.0, 0.0, -1.0));
     vec3 light = sky(from); // for all pixels: it compares neighbours
     bool captured = dot(from, from) < 0.5;
     colour = vec4(captured ? vec3(0.0) : light, 1.0);

@@ -1,18 +1,18 @@
 
 typedef struct {
     float x, y;
-} FUNCTION_vec2;
+} $function_vec2;
 
 typedef struct {
     float x, y, z;
-} FUNCTION_vec3;
+} $function_vec3;
 
-static inline FUNCTION_vec2 FUNCTION_make_vec2(float x, float y) {
-    FUNCTION_vec2 made = {x, y};
+static inline $function_vec2 $function_make_vec2(float x, float y) {
+    $function_vec2 made = {x, y};
     return made;
 }
 
-static inline FUNCTION_vec3 FUNCTION_make_vec3(float x, float y, float z) {
-    FUNCTION_vec3 made = {x, y, z};
+static inline $function_vec3 $function_make_vec3(float x, float y, float z) {
+    $function_vec3 made = {x, y, z};
     return made;
 }
