@@ -29,11 +29,11 @@ impl Interpolation {
         }
     }
 
-    /// Bytes of a texel on a GPU: the value, and the slope if the interpolation uses it.
-    pub fn texel_bytes(self) -> usize {
+    /// Numbers of a texel that it uses: the value, and for Hermite the slope.
+    pub fn channels(self) -> usize {
         match self {
-            Interpolation::Linear => size_of::<f32>(),
-            Interpolation::Hermite => size_of::<[f32; 2]>(),
+            Interpolation::Linear => 1,
+            Interpolation::Hermite => 2,
         }
     }
 
