@@ -96,7 +96,7 @@ impl Header {
     }
 
     /// Number of rows above the horizon.
-    pub(crate) fn rows_above(&self) -> u32 {
+    pub fn rows_above(&self) -> u32 {
         match self.rows {
             Rows::ThroughHorizon { above, .. } => above,
             _ => self.row_count(),

@@ -29,11 +29,11 @@ impl Interpolation {
         }
     }
 
-    /// Bytes of a texel on a GPU: the value, and the slope if the interpolation uses it.
-    pub fn texel_bytes(self) -> usize {
+    /// Numbers of a texel that it uses: the value, and for Hermite the slope.
+    pub fn channels(self) -> usize {
         match self {
-            Interpolation::Linear => size_of::<f32>(),
-            Interpolation::Hermite => size_of::<[f32; 2]>(),
+            Interpolation::Linear => 1,
+            Interpolation::Hermite => 2,
         }
     }
 
@@ -114,14 +114,30 @@ pub fn chord<T: Real>([a, _]: [T; 2], [b, _]: [T; 2], t: T) -> [T; 2] {
 /// Cubic Hermite interpolation between the values and slopes of the texels `a` (at t = 0) and `b` (at t = 1): the
 /// value and its derivative at `t`.
 #[inline]
-pub fn cubic<T: Real>([a, slope_a]: [T; 2], [b, slope_b]: [T; 2], t: T) -> [T; 2] {
+pub fn cubic<T: Real>(a: [T; 2], b: [T; 2], t: T) -> [T; 2] {
+    horner(cubic_coefficients(a, b), t)
+}
+
+/// The coefficients c₀ … c₃ of [`cubic`] as the polynomial c₀ + c₁ t + c₂ t² + c₃ t³.
+#[inline]
+pub fn cubic_coefficients<T: Real>([a, slope_a]: [T; 2], [b, slope_b]: [T; 2]) -> [T; 4] {
     let (two, three) = (T::from(2), T::from(3));
     let rise = b - a;
-    let c2 = three * rise - two * slope_a - slope_b;
-    let c3 = slope_a + slope_b - two * rise;
     [
-        a + t * (slope_a + t * (c2 + t * c3)),
-        slope_a + t * (two * c2 + t * three * c3),
+        a,
+        slope_a,
+        three * rise - two * slope_a - slope_b,
+        slope_a + slope_b - two * rise,
+    ]
+}
+
+/// The polynomial c₀ + c₁ t + c₂ t² + c₃ t³ and its derivative at `t`, by Horner's scheme.
+#[inline]
+pub fn horner<T: Real>([c0, c1, c2, c3]: [T; 4], t: T) -> [T; 2] {
+    let (two, three) = (T::from(2), T::from(3));
+    [
+        c0 + t * (c1 + t * (c2 + t * c3)),
+        c1 + t * (two * c2 + t * three * c3),
     ]
 }
 

@@ -98,6 +98,7 @@ pub mod mirror;
 #[cfg(feature = "files")]
 pub mod panics;
 mod row;
+mod row_format;
 mod rows;
 pub mod statistics;
 mod table;
@@ -113,5 +114,6 @@ pub use header::{Field, Header, Measured, Solver};
 pub use interpolation::Interpolation;
 pub use inverse::InverseRow;
 pub use row::Row;
+pub use row_format::{ChannelRanges, RowFormat};
 pub use rows::Rows;
 pub use table::{Table, Texel};

@@ -3,7 +3,7 @@
 //! [`crate::mirror`] has the same functions in Rust, in f32 and with the same operations. The reference in f64 is
 //! [`crate::Row::bend`].
 
-use crate::{Axis, Interpolation, Row, Texel};
+use crate::{Axis, Interpolation, Row, RowFormat, Texel};
 use lensbake_core::Observer;
 
 /// WGSL source of the lookup above the horizon. The text of [`RowShape::wgsl`] must precede it.
@@ -77,6 +77,8 @@ pub struct RowShape {
     pub interpolation: Interpolation,
     /// The side of the horizon that its observer is on.
     pub side: HorizonSide,
+    /// Format of the texels.
+    pub format: RowFormat,
 }
 
 impl RowShape {
@@ -111,10 +113,9 @@ impl RowShape {
         format!(
             "const ROW_LAST: u32 = {}u;\n\
              @group({group}) @binding({binding}) var row: texture_2d<f32>;\n\
-             fn row_texel(i: u32) -> vec2<f32> {{ return textureLoad(row, {texel}, 0).xy; }}\n\
-             fn interpolate(position: f32) -> vec2<f32> {{ return {}(position); }}\n",
+             {}",
             self.texels - 1,
-            self.interpolation.wgsl_function(),
+            self.format.wgsl(&texel, self.interpolation),
         )
     }
 }
@@ -164,16 +165,18 @@ impl ShadowEdge {
 pub struct GpuRow {
     /// The shadow boundary, from which positions along the row are measured.
     pub edge: ShadowEdge,
-    /// The texels, array of shape `[texels]`.
+    /// The texels as the shader reads them, rounded to the format; array of shape `[texels]`.
     pub texels: Vec<Texel>,
     /// Interpolation between the texels.
     pub interpolation: Interpolation,
     /// The side of the horizon that the observer is on.
     pub side: HorizonSide,
+    /// Format of the texels.
+    pub format: RowFormat,
 }
 
 impl GpuRow {
-    /// `row` rounded to f32. The shader supports the residual axis only. Below the horizon the texels are in the order of
+    /// `row` rounded to its format. The shader supports the residual axis only. Below the horizon the texels are in the order of
     /// falling q.
     pub fn new(row: &Row) -> Self {
         let mut texels = row.gpu_texels();
@@ -184,11 +187,13 @@ impl GpuRow {
                 texel[1] = -texel[1];
             }
         }
+        let format = row.format();
         GpuRow {
             edge: ShadowEdge::of(row.observer()),
-            texels,
+            texels: texels.into_iter().map(|t| format.rounded(t)).collect(),
             interpolation: row.interpolation(),
             side,
+            format,
         }
     }
 
@@ -198,22 +203,18 @@ impl GpuRow {
             texels: self.texels.len() as u32,
             interpolation: self.interpolation,
             side: self.side,
+            format: self.format,
         }
     }
 
     /// The bytes of the row's texture, line by line: values and slopes (`rg32float`), or the values alone
-    /// (`r32float`) if the interpolation uses no slopes.
+    /// (`r32float`) if the interpolation uses no slopes; in other formats as [`RowFormat`] says.
     pub fn texture_bytes(&self) -> Vec<u8> {
         let [width, height] = self.shape().texture_size();
-        let mut texels = self.texels.clone();
-        texels.resize((width * height) as usize, [0.0; 2]);
-        match self.interpolation {
-            Interpolation::Linear => texels
-                .iter()
-                .flat_map(|texel| texel[0].to_le_bytes())
-                .collect(),
-            Interpolation::Hermite => bytemuck::cast_slice(&texels).to_vec(),
-        }
+        let texel = self.format.texel_bytes(self.interpolation);
+        let mut bytes = self.format.bytes(&self.texels, self.interpolation);
+        bytes.resize((width * height) as usize * texel, 0);
+        bytes
     }
 }
 
@@ -229,10 +230,28 @@ mod tests {
                 texels,
                 interpolation: Interpolation::Hermite,
                 side: HorizonSide::Above,
+                format: RowFormat::Float32,
             };
             let [width, height] = shape.texture_size();
             assert!(width <= ROW_LINE && height <= ROW_LINE);
             assert!(width * height >= texels && width * (height - 1) < texels);
         }
+    }
+
+    #[test]
+    fn the_usual_row_is_loaded_as_it_is() {
+        let shape = RowShape {
+            texels: 64,
+            interpolation: Interpolation::Hermite,
+            side: HorizonSide::Above,
+            format: RowFormat::Float32,
+        };
+        assert_eq!(
+            shape.wgsl(0, 2),
+            "const ROW_LAST: u32 = 63u;\n\
+             @group(0) @binding(2) var row: texture_2d<f32>;\n\
+             fn row_texel(i: u32) -> vec2<f32> { return textureLoad(row, vec2(i, 0u), 0).xy; }\n\
+             fn interpolate(position: f32) -> vec2<f32> { return hermite(position); }\n"
+        );
     }
 }

@@ -1,9 +1,10 @@
 //! Mirrors of the WGSL functions of the lookup: Rust functions in f32 with the same names and the same operations.
 //! The results of a device agree with these up to rounding; `tests/tests/mirrors/` checks this on every adapter.
 
-use crate::Interpolation;
-use crate::interpolation::{chord, cubic};
+use crate::interpolation::{chord, cubic, horner};
 use crate::lookup::{GpuRow, HorizonSide, ShadowEdge};
+use crate::row_format::coefficients;
+use crate::{Interpolation, RowFormat};
 use lensbake_core::RayOutcome;
 
 /// Bound on sin θ and X. If both are below it and cos θ < 0, the ray looks straight away from the hole and Δ is
@@ -75,6 +76,11 @@ pub fn row_position_slope(position: f32, root: f32, side: HorizonSide) -> f32 {
 impl GpuRow {
     /// The value and its derivative per texel at `position` (in texels), with the row's interpolation.
     pub fn interpolate(&self, position: f32) -> [f32; 2] {
+        if self.format == RowFormat::Coefficients {
+            let i = (position as usize).min(self.texels.len() - 1);
+            let after = coefficients(&self.texels, i, self.interpolation);
+            return horner(after, position - i as f32);
+        }
         let i = (position as usize).min(self.texels.len() - 2);
         let (a, b, t) = (self.texels[i], self.texels[i + 1], position - i as f32);
         match self.interpolation {

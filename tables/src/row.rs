@@ -4,7 +4,7 @@ use crate::axis::{Axis, Stored};
 use crate::header::check_texels;
 use crate::interpolation::septic;
 use crate::lookup::{HorizonSide, RowShape};
-use crate::{Interpolation, TableError, Texel};
+use crate::{Interpolation, RowFormat, TableError, Texel};
 use lensbake_core::{BendAndSlope, Observer, RayOutcome, ShadowCoordinate};
 
 /// Texels of the row of a moving observer for each texel of the table.
@@ -17,6 +17,7 @@ pub struct Row {
     observer: Observer,
     texels: Vec<[f64; 2]>,
     interpolation: Interpolation,
+    format: RowFormat,
 }
 
 impl Row {
@@ -26,6 +27,7 @@ impl Row {
             observer,
             texels,
             interpolation: Interpolation::Hermite,
+            format: RowFormat::Float32,
         }
     }
 
@@ -68,7 +70,7 @@ impl Row {
     }
 
     /// The row resampled to another number of texels, to be read with `interpolation`. Each new texel is looked up
-    /// in this row.
+    /// in this row. On a GPU it is stored in 32-bit floats.
     ///
     /// # Errors
     /// [`TableError::Size`] if a row cannot have this number of texels.
@@ -82,8 +84,14 @@ impl Row {
         Ok(Row {
             texels: resampled.collect(),
             interpolation,
+            format: RowFormat::Float32,
             ..*self
         })
+    }
+
+    /// The same row, to be stored in `format` on a GPU. The lookup in f64 does not change.
+    pub fn in_format(self, format: RowFormat) -> Self {
+        Row { format, ..self }
     }
 
     /// The observer that the row is for.
@@ -106,21 +114,27 @@ impl Row {
         self.interpolation
     }
 
+    /// Format of the texels on a GPU: 32-bit floats unless it was changed by [`Row::in_format`].
+    pub fn format(&self) -> RowFormat {
+        self.format
+    }
+
     /// The shape that a shader must be specialised for in order to look up this row.
     pub fn shape(&self) -> RowShape {
         RowShape {
             texels: self.texel_count(),
             interpolation: self.interpolation,
             side: HorizonSide::of(&self.observer),
+            format: self.format,
         }
     }
 
     /// Size of the row on a GPU in bytes.
     pub fn gpu_bytes(&self) -> usize {
-        self.texels.len() * self.interpolation.texel_bytes()
+        self.texels.len() * self.format.texel_bytes(self.interpolation)
     }
 
-    /// The texels as a GPU holds them, array of shape `[texels]`.
+    /// The texels in 32-bit floats, array of shape `[texels]`.
     pub fn gpu_texels(&self) -> Vec<Texel> {
         self.texels
             .iter()

@@ -209,8 +209,13 @@ fn on_gpu(gpu: &Gpu, rays: usize) -> Count {
             questions: 0,
             answers: 2,
         };
-        let answers: Vec<Answer> =
-            probe::probe(gpu, source, bindings, &rays, Some((1, &row.texels)));
+        let answers: Vec<Answer> = probe::probe(
+            gpu,
+            source,
+            bindings,
+            &rays,
+            Some((1, probe::row_texture(gpu, &row))),
+        );
         all = all.and(Count::of(&observer, &rays, &answers));
     }
     all

@@ -1,8 +1,7 @@
 //! Probes of WGSL functions: evaluates them on a GPU for many inputs.
 
-use lensbake_render::gpu::{Gpu, texture};
-use lensbake_tables::Interpolation;
-use lensbake_tables::lookup::{HorizonSide, RowShape, ShadowEdge};
+use lensbake_render::gpu::{Gpu, row_texture_format, texture};
+use lensbake_tables::lookup::{GpuRow, ROW_LINE, ShadowEdge};
 use pollster::block_on;
 use wgpu::util::DeviceExt;
 use wgpu::*;
@@ -16,9 +15,8 @@ pub struct Bindings {
     pub answers: u32,
 }
 
-/// Runs the entry point `probe` of `source` with one invocation per question, 64 invocations per workgroup. A
-/// `row` of texels with slopes is bound to the binding given with it, as a texture that holds the row wrapped into
-/// lines.
+/// Runs the entry point `probe` of `source` with one invocation per question, 64 invocations per workgroup. The
+/// texture of a row is bound to the binding given with it.
 ///
 /// # Panics
 /// If the device fails.
@@ -27,9 +25,8 @@ pub fn probe<Q: bytemuck::Pod, A: bytemuck::Pod>(
     source: String,
     bindings: Bindings,
     questions: &[Q],
-    row: Option<(u32, &[[f32; 2]])>,
+    row: Option<(u32, TextureView)>,
 ) -> Vec<A> {
-    let row = row.map(|(binding, texels)| (binding, row_texture(gpu, texels)));
     let entry = row.as_ref().map(|(binding, view)| BindGroupEntry {
         binding: *binding,
         resource: BindingResource::TextureView(view),
@@ -94,25 +91,31 @@ pub fn probe_with<Q: bytemuck::Pod, A: bytemuck::Pod>(
     block_on(gpu.copy_back(&written, written.size())).unwrap()
 }
 
-/// A texture that holds the row of `texels` wrapped into lines.
-pub fn row_texture(gpu: &Gpu, texels: &[[f32; 2]]) -> TextureView {
-    let shape = RowShape {
-        texels: texels.len() as u32,
-        interpolation: Interpolation::Hermite,
-        side: HorizonSide::Above,
-    };
-    let [width, height] = shape.texture_size();
+/// The texture of `row`, in its format.
+pub fn row_texture(gpu: &Gpu, row: &GpuRow) -> TextureView {
+    let (shape, bytes) = (row.shape(), row.texture_bytes());
+    uploaded(gpu, shape.texture_size(), row_texture_format(shape), &bytes)
+}
+
+/// A texture of `texels`, values and slopes, wrapped into lines.
+pub fn texel_texture(gpu: &Gpu, texels: &[[f32; 2]]) -> TextureView {
+    let count = texels.len() as u32;
+    let [width, height] = [count.min(ROW_LINE), count.div_ceil(ROW_LINE)];
     let mut lines = texels.to_vec();
     lines.resize((width * height) as usize, [0.0; 2]);
+    let bytes = bytemuck::cast_slice(&lines);
+    uploaded(gpu, [width, height], TextureFormat::Rg32Float, bytes)
+}
+
+fn uploaded(gpu: &Gpu, size: [u32; 2], format: TextureFormat, bytes: &[u8]) -> TextureView {
     let usage = TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST;
-    let size = [width, height];
-    let texture = texture(&gpu.device, "row", size, TextureFormat::Rg32Float, usage);
+    let texture = texture(&gpu.device, "row", size, format, usage);
     let layout = TexelCopyBufferLayout {
         offset: 0,
-        bytes_per_row: Some(width * size_of::<[f32; 2]>() as u32),
+        bytes_per_row: Some(bytes.len() as u32 / texture.height()),
         rows_per_image: None,
     };
-    let (to, bytes) = (texture.as_image_copy(), bytemuck::cast_slice(&lines));
+    let to = texture.as_image_copy();
     gpu.queue.write_texture(to, bytes, layout, texture.size());
     texture.create_view(&Default::default())
 }

@@ -121,6 +121,8 @@ fn the_chart_measures_every_way_to_draw() {
         "undeflected",
         "\"row, linear\"",
         "\"row, Hermite\"",
+        "\"row, other formats\",half floats",
+        "\"row, other formats\",coefficients",
         "\"direct RK4, f32\"",
     ] {
         assert!(

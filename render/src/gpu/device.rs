@@ -115,8 +115,9 @@ impl Gpu {
         let info = adapter.get_info();
         let (device, queue) = adapter
             .request_device(&DeviceDescriptor {
-                // For timing frames, if the adapter can.
-                required_features: adapter.features() & Features::TIMESTAMP_QUERY,
+                // For timing frames and for rows of 16-bit integers, if the adapter can.
+                required_features: adapter.features()
+                    & (Features::TIMESTAMP_QUERY | Features::TEXTURE_FORMAT_16BIT_NORM),
                 // A window may be as large as the adapter's largest texture.
                 required_limits: Limits {
                     max_texture_dimension_2d: adapter.limits().max_texture_dimension_2d,
@@ -186,6 +187,13 @@ impl Gpu {
     /// Whether the device supports timestamp queries.
     pub fn has_timestamps(&self) -> bool {
         self.device.features().contains(Features::TIMESTAMP_QUERY)
+    }
+
+    /// Whether the device has textures of 16-bit integers that stand for numbers from 0 to 1, which rows in the format
+    /// `Unorm16` need.
+    pub fn has_unorm16(&self) -> bool {
+        let features = self.device.features();
+        features.contains(Features::TEXTURE_FORMAT_16BIT_NORM)
     }
 
     /// Runs `work`, which may exceed the device's memory or limits. The device stays usable if it does.

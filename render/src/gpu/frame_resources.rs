@@ -7,6 +7,7 @@ use super::camera_block::{CameraBlock, RegionBlock};
 use super::layouts::TEXTURE_FORMAT;
 use super::pipelines::{Pipelines, Program};
 use super::renderer::Renderer;
+use super::row_texture::RowTexture;
 use super::source::Store;
 use super::stars::{StarLight, StarLists, StarsOnDevice};
 use super::texture::texture;
@@ -17,8 +18,8 @@ use crate::scene::Sampling;
 use crate::shaders::TILE;
 use crate::shadow::Shadow;
 use crate::shift::Rendition;
-use lensbake_tables::lookup::{GpuRow, HorizonSide, RowShape};
-use lensbake_tables::{Interpolation, Row};
+use lensbake_tables::lookup::{HorizonSide, RowShape};
+use lensbake_tables::{Interpolation, RowFormat};
 use std::sync::Arc;
 use wgpu::*;
 
@@ -68,15 +69,6 @@ pub(super) struct FrameResources {
     stars: Option<StarLists>,
 }
 
-/// The texture of a row, and the row that it holds.
-#[derive(Debug)]
-struct RowTexture {
-    texture: Texture,
-    view: TextureView,
-    shape: RowShape,
-    shown: Option<Row>,
-}
-
 impl FrameResources {
     /// Resources for pictures in a texture of `size` pixels.
     pub(super) fn on_texture(renderer: &Renderer, size: [u32; 2]) -> Self {
@@ -113,12 +105,13 @@ impl FrameResources {
                 texels: 4,
                 interpolation: Interpolation::Hermite,
                 side: HorizonSide::Above,
+                format: RowFormat::Float32,
             },
         );
         let inputs = ClassifierInputs {
             camera: &camera,
             regions: &region_blocks,
-            row: &row.view,
+            row: row.view(),
         };
         let queues = WorkQueues::new(device, &pipelines.layouts, &inputs, &[]);
         let bind_group = draw_group(device, &pipelines, &inputs, &target, &queues);
@@ -294,11 +287,11 @@ impl FrameResources {
         let blocks = self.regions.len() as u64 * self.region_stride;
         let queued = sampling == Sampling::Filtered;
         let holds = !queued || self.queues.holds(&self.regions);
-        if row == self.row.shape && blocks <= self.region_blocks.size() && holds {
+        if row == self.row.shape() && blocks <= self.region_blocks.size() && holds {
             return;
         }
         let device = &self.gpu.device;
-        if row != self.row.shape {
+        if row != self.row.shape() {
             self.row = RowTexture::new(device, row);
         }
         if blocks > self.region_blocks.size() {
@@ -308,43 +301,11 @@ impl FrameResources {
         let inputs = ClassifierInputs {
             camera: &self.camera,
             regions: &self.region_blocks,
-            row: &self.row.view,
+            row: self.row.view(),
         };
         let regions = if queued { &self.regions[..] } else { &[] };
         self.queues = WorkQueues::new(device, &self.pipelines.layouts, &inputs, regions);
         self.bind_group = draw_group(device, &self.pipelines, &inputs, &self.target, &self.queues);
-    }
-}
-
-impl RowTexture {
-    fn new(device: &Device, shape: RowShape) -> Self {
-        let usage = TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST;
-        let format = match shape.interpolation {
-            Interpolation::Linear => TextureFormat::R32Float,
-            Interpolation::Hermite => TextureFormat::Rg32Float,
-        };
-        let texture = texture(device, "row", shape.texture_size(), format, usage);
-        RowTexture {
-            view: texture.create_view(&Default::default()),
-            texture,
-            shape,
-            shown: None,
-        }
-    }
-
-    fn show(&mut self, queue: &Queue, row: &Row) {
-        if self.shown.as_ref() == Some(row) {
-            return;
-        }
-        let bytes = GpuRow::new(row).texture_bytes();
-        let layout = TexelCopyBufferLayout {
-            offset: 0,
-            bytes_per_row: Some(bytes.len() as u32 / self.texture.height()),
-            rows_per_image: None,
-        };
-        let place = self.texture.as_image_copy();
-        queue.write_texture(place, &bytes, layout, self.texture.size());
-        self.shown = Some(row.clone());
     }
 }
 

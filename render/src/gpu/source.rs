@@ -289,8 +289,8 @@ fn calls(module: &str, ray: &str, patch: &str) -> String {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use lensbake_tables::Interpolation;
     use lensbake_tables::lookup::HorizonSide;
+    use lensbake_tables::{ChannelRanges, Interpolation, RowFormat};
     use naga::valid::{Capabilities, ValidationFlags, Validator};
 
     /// At rest, in free fall, in orbit, below the horizon and boosted there, with every kind of shift.
@@ -331,6 +331,7 @@ pub(super) mod tests {
                                     texels: 64,
                                     interpolation,
                                     side,
+                                    format: RowFormat::Float32,
                                 };
                                 keys.push(PipelineKey::new(
                                     deflection, output, store, row, stars, motion, shift,
@@ -355,6 +356,24 @@ pub(super) mod tests {
                     &classifier.classifier_source(),
                     &["classify_tiles", "close_queues"],
                 );
+            }
+        }
+    }
+
+    #[test]
+    fn shaders_of_every_row_format_are_valid() {
+        let ranges = ChannelRanges::of(&[[-0.4, 0.0], [0.0, 1e-9]]);
+        for format in [
+            RowFormat::Float16,
+            RowFormat::Unorm16(ranges),
+            RowFormat::Coefficients,
+        ] {
+            for key in keys() {
+                let row = RowShape { format, ..key.row };
+                let key = PipelineKey { row, ..key };
+                if key.deflection == DeflectionKey::Lut && key.store == Store::Buffer {
+                    validate(&key.source(), key.entry_points());
+                }
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::gpu::UNIFORM_BYTES;
 use crate::lens::{Deflection, Lens};
-use lensbake_tables::Interpolation;
+use lensbake_tables::{Interpolation, RowFormat};
 use std::f64::consts::PI;
 use std::fmt;
 
@@ -24,6 +24,9 @@ mod operations {
     pub const FLAT: u32 = 2;
     pub const LINEAR: u32 = 82;
     pub const HERMITE: u32 = 99;
+    pub const COEFFICIENTS: u32 = 90;
+    /// The map of one texel from the codes of 16-bit integers.
+    pub const DECODING: u32 = 2;
     /// Direct integration without its steps.
     pub const DIRECT: u32 = 79;
     /// One step of direct integration.
@@ -44,14 +47,22 @@ impl Cost {
                 loads: 0,
                 operations: operations::DIRECT + operations::STEP * (PI / step).ceil() as u32,
             },
-            Deflection::Lut => Cost {
-                bytes: UNIFORM_BYTES + lens.row.gpu_bytes(),
-                loads: 2,
-                operations: match lens.row.interpolation() {
+            Deflection::Lut => {
+                let interpolation = match lens.row.interpolation() {
                     Interpolation::Linear => operations::LINEAR,
                     Interpolation::Hermite => operations::HERMITE,
-                },
-            },
+                };
+                let (loads, operations) = match lens.row.format() {
+                    RowFormat::Float32 | RowFormat::Float16 => (2, interpolation),
+                    RowFormat::Unorm16(_) => (2, interpolation + 2 * operations::DECODING),
+                    RowFormat::Coefficients => (1, operations::COEFFICIENTS),
+                };
+                Cost {
+                    bytes: UNIFORM_BYTES + lens.row.gpu_bytes(),
+                    loads,
+                    operations,
+                }
+            }
         }
     }
 }
@@ -71,6 +82,7 @@ mod tests {
     use super::*;
     use crate::gpu::{MotionKey, Output, PipelineKey, Store};
     use crate::shift::Shift;
+    use lensbake_tables::ChannelRanges;
     use lensbake_tables::lookup::{HorizonSide, RowShape};
 
     use naga::{Block, Expression, Function, Handle, Module, Statement};
@@ -155,10 +167,19 @@ mod tests {
     }
 
     fn counted(method: Deflection, interpolation: Interpolation) -> Count {
+        counted_in_format(method, interpolation, RowFormat::Float32)
+    }
+
+    fn counted_in_format(
+        method: Deflection,
+        interpolation: Interpolation,
+        format: RowFormat,
+    ) -> Count {
         let row = RowShape {
             texels: 64,
             interpolation,
             side: HorizonSide::Above,
+            format,
         };
         let source = PipelineKey::new(
             method,
@@ -205,5 +226,27 @@ mod tests {
                 known(operations::DIRECT, operations::STEP, 0),
             ]
         );
+    }
+
+    #[test]
+    fn the_costs_of_the_row_formats_are_those_of_the_shaders() {
+        let ranges = ChannelRanges::of(&[[-0.4, 0.0], [0.0, 0.5]]);
+        let lut = |interpolation, format| {
+            let count = counted_in_format(Deflection::Lut, interpolation, format);
+            (count.outside, count.loads)
+        };
+        let (linear, hermite) = (Interpolation::Linear, Interpolation::Hermite);
+        for (interpolation, operations) in
+            [(linear, operations::LINEAR), (hermite, operations::HERMITE)]
+        {
+            let decoding = 2 * operations::DECODING;
+            for (format, expected) in [
+                (RowFormat::Float16, (operations, 2)),
+                (RowFormat::Unorm16(ranges), (operations + decoding, 2)),
+                (RowFormat::Coefficients, (operations::COEFFICIENTS, 1)),
+            ] {
+                assert_eq!(lut(interpolation, format), expected, "{format:?}");
+            }
+        }
     }
 }

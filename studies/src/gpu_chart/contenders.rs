@@ -5,13 +5,16 @@ use lensbake_core::{Motion, MovingFrame};
 use lensbake_render::camera::{Camera, CameraError, View};
 use lensbake_render::lens::{Deflection, Lens, LensError};
 use lensbake_render::model::Model;
-use lensbake_tables::{Interpolation, Table};
+use lensbake_tables::lookup::GpuRow;
+use lensbake_tables::{ChannelRanges, Interpolation, RowFormat, Table};
 
 /// A family of methods.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
     /// Rows with cubic Hermite interpolation; the default row is one of them.
     Hermite,
+    /// The default row in other formats.
+    Format,
     /// Rows with linear interpolation.
     Linear,
     /// RK4 along every ray.
@@ -24,8 +27,9 @@ pub enum Family {
 
 impl Family {
     /// All families, in the legend's order.
-    pub const ALL: [Family; 5] = [
+    pub const ALL: [Family; 6] = [
         Family::Hermite,
+        Family::Format,
         Family::Linear,
         Family::Direct,
         Family::Flat,
@@ -36,6 +40,7 @@ impl Family {
     pub fn name(self) -> &'static str {
         match self {
             Family::Hermite => "row, Hermite",
+            Family::Format => "row, other formats",
             Family::Linear => "row, linear",
             Family::Direct => "direct RK4, f32",
             Family::Flat => "undeflected",
@@ -47,7 +52,7 @@ impl Family {
 /// A method to measure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contender {
-    /// Name within its family: its number of texels or its step.
+    /// Name within its family: its number of texels, its format or its step.
     pub name: String,
     /// Family of methods.
     pub family: Family,
@@ -100,6 +105,26 @@ pub fn contenders(lens: &Lens) -> Result<Vec<Contender>, LensError> {
         .collect()
 }
 
+/// `lens`, whose row must be the table's, with the row in other formats: in 16-bit integers only if the device has them
+/// (`unorm16`).
+pub fn formats(lens: &Lens, unorm16: bool) -> Vec<Contender> {
+    let ranges = ChannelRanges::of(&GpuRow::new(&lens.row).texels);
+    let unorm16 = unorm16.then_some(("16-bit integers", RowFormat::Unorm16(ranges)));
+    [("half floats", RowFormat::Float16)]
+        .into_iter()
+        .chain(unorm16)
+        .chain([("coefficients", RowFormat::Coefficients)])
+        .map(|(name, format)| Contender {
+            name: name.to_owned(),
+            family: Family::Format,
+            lens: Lens {
+                row: lens.row.clone().in_format(format),
+                ..lens.with_deflection(Deflection::Lut)
+            },
+        })
+        .collect()
+}
+
 /// The ways to draw the view of a camera in free fall: by the row for its frame, or by the row of the observer at rest
 /// (at the horizon and below, in free fall) with a boost in the shader. Below the horizon there is only the first.
 ///
@@ -121,4 +146,25 @@ pub fn falling(view: &View, table: &Table) -> Result<Vec<Contender>, ChartError>
             })
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lensbake_render::model::Cost;
+    use lensbake_tables::default_atlas;
+
+    #[test]
+    fn the_formats_differ_in_bytes_and_loads() {
+        let camera = Camera::new(&View::default()).unwrap();
+        let lens = Lens::new(camera, default_atlas(), Deflection::Lut).unwrap();
+        let usual = Cost::of(&lens).bytes;
+        let costs: Vec<_> = formats(&lens, true)
+            .iter()
+            .map(|contender| Cost::of(&contender.lens))
+            .map(|cost| (cost.bytes as i64 - usual as i64, cost.loads))
+            .collect();
+        assert_eq!(costs, [(-256, 2), (-256, 2), (512, 1)]);
+        assert_eq!(formats(&lens, false).len(), 2);
+    }
 }

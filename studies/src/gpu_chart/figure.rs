@@ -2,7 +2,7 @@
 
 use super::{Chart, Family, MeasuredDeflection};
 use crate::figure::drawing::{Area, Figure, Ink, text};
-use crate::figure::{LogAxis, PixelBox, Plane, Ticks};
+use crate::figure::{Labels, LogAxis, PixelBox, Plane, Ticks};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;
@@ -14,14 +14,18 @@ const FRAME: PixelBox = PixelBox {
     right: 1560,
     bottom: 870,
 };
+const LEGEND: PixelBox = PixelBox {
+    left: FRAME.right - 350,
+    top: FRAME.top + 24,
+    right: FRAME.right - 10,
+    bottom: FRAME.top + 56 + 38 * Family::ALL.len() as i32,
+};
 /// Room left on either side of the times for labels, as a factor.
 const ROOM: f64 = 2.0;
 /// An error of 0 is drawn here: f32 has none that small.
 const MIN_ERROR: f64 = 1e-9;
-/// Least distance between the labels of a family, pixels.
-const LINE: i32 = 28;
-/// Distance of a label from its mark and the bar of its spread, pixels.
-const ASIDE: i32 = 24;
+/// Distance between the points of a line that labels should not hide, pixels.
+const DENSITY: f64 = 12.0;
 /// From the middle of a line of text to what looks like its middle, pixels.
 const LETTERS: i32 = 4;
 
@@ -79,14 +83,19 @@ where
     };
     plane.draw(area, clock, "largest error in image space, pixels")?;
     plane.draw_front(area, &points, FRONT.stroke_width(6))?;
-    for family in Family::ALL {
-        let marks: Vec<Mark> = chart
-            .entries
-            .iter()
-            .filter(|entry| entry.family == family)
-            .map(|entry| Mark::new(entry, &plane))
-            .collect();
-        draw_family(area, family, &marks)?;
+    let marks = |family| -> Vec<Mark> {
+        let of_family = chart.entries.iter().filter(|entry| entry.family == family);
+        of_family.map(|entry| Mark::new(entry, &plane)).collect()
+    };
+    let families = Family::ALL.map(|family| (family, marks(family)));
+    let hidden_by_labels = families.iter().flat_map(|(_, marks)| drawn_points(marks));
+    let mut labels = Labels::new(FRAME, hidden_by_labels.collect());
+    labels.keep_free(LEGEND);
+    for (family, marks) in &families {
+        draw_family(area, *family, marks)?;
+    }
+    for (family, marks) in &families {
+        draw_labels(area, *family, marks, &mut labels)?;
     }
     draw_legend(area)?;
     area.present()?;
@@ -150,7 +159,23 @@ where
         area.draw(&PathElement::new(mark.bar.to_vec(), colour.stroke_width(4)))?;
         draw_mark(area, family, mark.at)?;
     }
-    draw_labels(area, family, marks)
+    Ok(())
+}
+
+/// Points along the bars of a family and along the line through its marks.
+fn drawn_points(marks: &[Mark]) -> Vec<(i32, i32)> {
+    let bars = marks.iter().map(|mark| mark.bar);
+    let line = marks.windows(2).map(|pair| [pair[0].at, pair[1].at]);
+    bars.chain(line).flat_map(points_between).collect()
+}
+
+fn points_between([from, to]: [(i32, i32); 2]) -> impl Iterator<Item = (i32, i32)> {
+    let (dx, dy) = (f64::from(to.0 - from.0), f64::from(to.1 - from.1));
+    let parts = (dx.hypot(dy) / DENSITY).ceil().max(1.0);
+    (0..=parts as u32).map(move |i| {
+        let t = f64::from(i) / parts;
+        (from.0 + (t * dx) as i32, from.1 + (t * dy) as i32)
+    })
 }
 
 fn draw_mark<DB: DrawingBackend>(
@@ -164,6 +189,7 @@ where
     let style = colour(family).filled();
     match family {
         Family::Hermite => area.draw(&Circle::new(at, 9, style))?,
+        Family::Format => area.draw(&Cross::new(at, 9, colour(family).stroke_width(4)))?,
         Family::Linear => area.draw(&TriangleMarker::new(at, 12, style))?,
         Family::Direct => {
             let (x, y) = at;
@@ -179,74 +205,40 @@ where
     Ok(())
 }
 
-/// The labels of a family beside its marks, moved apart where they would hide each other.
+/// The labels of a family near its marks, with a line to each. A label that fits nowhere is left out.
 fn draw_labels<DB: DrawingBackend>(
     area: &Area<DB>,
     family: Family,
     marks: &[Mark],
+    labels: &mut Labels,
 ) -> Result<(), Box<dyn Error>>
 where
     DB::ErrorType: 'static,
 {
-    let (side, anchor) = match family {
-        Family::Linear | Family::Flat | Family::Falling => (-1, HPos::Right),
-        Family::Hermite | Family::Direct => (1, HPos::Left),
-    };
     let colour = colour(family);
-    let style = text(26).color(&colour).pos(Pos::new(anchor, VPos::Center));
-    let mut marks: Vec<&Mark> = marks.iter().collect();
-    marks.sort_by_key(|mark| mark.at.1);
-    let heights = apart(&marks.iter().map(|mark| mark.at.1).collect::<Vec<_>>());
-    for (mark, y) in marks.into_iter().zip(heights) {
-        let [left, right] = mark.bar;
-        let end = if side < 0 { left } else { right };
-        let beside_mark = mark.at.0 + side * 12;
-        let x = side * (side * end.0).max(side * beside_mark) + side * ASIDE;
-        let leader = vec![(x - side * (ASIDE - 4), mark.at.1), (x - side * 6, y)];
+    let style = text(26).color(&colour);
+    for mark in marks {
+        let name = mark.entry.name.as_str();
+        let (width, height) = area.estimate_text_size(name, &style)?;
+        let size = (width as i32 + 8, height as i32 + 4);
+        let Some(frame) = labels.place(mark.at, size) else {
+            continue;
+        };
+        let leader = vec![mark.at, frame.nearest_to(mark.at)];
         area.draw(&PathElement::new(leader, colour.stroke_width(1)))?;
-        let name = mark.entry.name.clone();
-        draw_ground(area, (x, y), side, area.estimate_text_size(&name, &style)?)?;
-        area.draw(&Text::new(name, (x, y + LETTERS), style.clone()))?;
+        let corners = [(frame.left, frame.top), (frame.right, frame.bottom)];
+        area.draw(&Rectangle::new(corners, WHITE.mix(0.8).filled()))?;
+        let place = (frame.left + 4, frame.top + 2 + LETTERS);
+        area.draw(&Text::new(name, place, style.clone()))?;
     }
     Ok(())
-}
-
-/// White ground for a label of this size that begins at a point and goes to one side of it.
-fn draw_ground<DB: DrawingBackend>(
-    area: &Area<DB>,
-    (x, y): (i32, i32),
-    side: i32,
-    (width, height): (u32, u32),
-) -> Result<(), Box<dyn Error>>
-where
-    DB::ErrorType: 'static,
-{
-    let (far, half) = (x + side * width as i32, height as i32 / 2);
-    let corners = [(x.min(far), y - half), (x.max(far), y + half)];
-    area.draw(&Rectangle::new(corners, WHITE.filled()))?;
-    Ok(())
-}
-
-/// Heights that follow the given ones, which rise, but are [`LINE`] apart and above the floor.
-fn apart(heights: &[i32]) -> Vec<i32> {
-    let mut placed: Vec<i32> = Vec::new();
-    for &height in heights {
-        let least = placed.last().map_or(height, |last| last + LINE);
-        placed.push(height.max(least));
-    }
-    let mut floor = FRAME.bottom - LINE / 2;
-    for height in placed.iter_mut().rev() {
-        *height = floor.min(*height);
-        floor = *height - LINE;
-    }
-    placed
 }
 
 fn draw_legend<DB: DrawingBackend>(area: &Area<DB>) -> Result<(), Box<dyn Error>>
 where
     DB::ErrorType: 'static,
 {
-    let (left, top) = (FRAME.right - 330, FRAME.top + 24);
+    let (left, top) = (LEGEND.left + 20, LEGEND.top);
     let style = text(26).pos(Pos::new(HPos::Left, VPos::Center));
     for (line, family) in Family::ALL.into_iter().enumerate() {
         let y = top + 16 + 38 * line as i32;
@@ -273,6 +265,7 @@ const FRONT: RGBColor = RGBColor(184, 218, 190);
 fn colour(family: Family) -> RGBColor {
     match family {
         Family::Hermite => RGBColor(207, 34, 46),
+        Family::Format => RGBColor(191, 57, 137),
         Family::Linear => RGBColor(188, 76, 0),
         Family::Direct => RGBColor(9, 105, 218),
         Family::Flat => Ink::DARK,
@@ -298,11 +291,11 @@ mod tests {
     }
 
     #[test]
-    fn labels_are_moved_apart_and_stay_within() {
-        let heights = apart(&[200, 205, 400, FRAME.bottom - 2, FRAME.bottom - 1]);
-        assert_eq!(heights[0], 200);
-        assert_eq!(heights[2], 400);
-        assert!(heights.windows(2).all(|pair| pair[1] - pair[0] >= LINE));
-        assert!(heights.iter().all(|&h| h < FRAME.bottom));
+    fn lines_are_points_close_together() {
+        let points: Vec<_> = points_between([(0, 0), (30, 40)]).collect();
+        assert_eq!(points.first(), Some(&(0, 0)));
+        assert_eq!(points.last(), Some(&(30, 40)));
+        assert_eq!(points.len(), 6);
+        assert_eq!(points_between([(5, 5), (5, 5)]).count(), 2);
     }
 }

@@ -4,7 +4,7 @@ mod contenders;
 pub mod csv;
 pub mod figure;
 
-pub use contenders::{Contender, Family, contenders, falling};
+pub use contenders::{Contender, Family, contenders, falling, formats};
 
 use crate::gpu_time::{FrameTimes, interleaved};
 use lensbake_render::camera::CameraError;

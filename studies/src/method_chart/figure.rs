@@ -1,11 +1,10 @@
 //! The figure: error against time, log–log, with the Pareto front.
 
-use super::labels::Labels;
 use super::marks::{Kind, Mark, draw_curves, draw_mark, place_labels};
 use super::rays::ChartObserver;
 use super::{MeasuredMethod, Section};
 use crate::figure::drawing::{Area, Figure, Ink, text};
-use crate::figure::{LogAxis, PixelBox, Plane, Ticks};
+use crate::figure::{Labels, LogAxis, PixelBox, Plane, Ticks};
 use crate::methods::Family;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};

@@ -1,9 +1,8 @@
 //! Marks in the plane of the chart, the curves through them, and their labels.
 
 use super::MeasuredMethod;
-use super::labels::Labels;
-use crate::figure::PixelBox;
 use crate::figure::drawing::{Area, Ink, text};
+use crate::figure::{Labels, PixelBox};
 use crate::methods::Family;
 use plotters::prelude::*;
 use std::collections::BTreeMap;

@@ -2,7 +2,6 @@
 
 pub mod csv;
 pub mod figure;
-mod labels;
 mod marks;
 pub mod rays;
 pub mod rivals;

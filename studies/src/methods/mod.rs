@@ -3,11 +3,13 @@
 //! Three of them call the project's own code: [`closed_form`], [`rk4_adaptive`] and [`default_row`]. That code
 //! does not depend on this module.
 
+pub mod atlas_fetch;
 pub mod bholetrace;
 pub mod closed_form;
 pub mod default_row;
 pub mod dormand_prince;
 pub mod far_model;
+mod filter_weight;
 mod initial_conditions;
 pub mod leapfrog;
 mod outcome;
@@ -16,6 +18,7 @@ pub mod registry;
 pub mod rk4_adaptive;
 pub mod rk4_fixed;
 pub mod row_axis;
+pub mod row_store;
 pub mod row_table;
 pub mod semi_implicit_euler;
 pub mod series;

@@ -1,6 +1,7 @@
 //! All methods, constructed for one observer.
 
 use super::BendingMethod;
+use super::atlas_fetch::AtlasFetch;
 use super::bholetrace::{BholetraceEquation, BholetraceSearch};
 use super::closed_form::ClosedForm;
 use super::default_row::DefaultRow;
@@ -11,7 +12,8 @@ use super::quadrature::Quadrature;
 use super::rk4_adaptive::Rk4Adaptive;
 use super::rk4_fixed::Rk4Fixed;
 use super::row_axis::RowAxis;
-use super::row_table::{Format, Interpolation, Nodes, RowTable};
+use super::row_store::Format;
+use super::row_table::{Interpolation, Nodes, RowTable};
 use super::semi_implicit_euler::SemiImplicitEuler;
 use super::series::{StrongLimit, WeakSeries};
 use lensbake_core::{B_CRIT, Observer};
@@ -51,12 +53,15 @@ pub fn all(observer: Observer) -> Result<Methods, TableError> {
     Ok(methods)
 }
 
-/// The methods that serve `observer`, without tables other than the default row.
+/// The methods that serve `observer`, without tables other than the default row and [`AtlasFetch`].
 ///
 /// # Errors
 /// As [`all`].
 pub fn without_compared_tables(observer: Observer) -> Result<Methods, TableError> {
     let mut methods: Methods = vec![Box::new(DefaultRow::new(observer)?)];
+    if let Some(fetch) = AtlasFetch::new(observer) {
+        methods.push(Box::new(fetch));
+    }
     methods.extend(computed());
     methods.retain(|method| method.serves(&observer));
     Ok(methods)
@@ -98,7 +103,22 @@ pub fn computed() -> Methods {
     methods
 }
 
-/// Tables of all axes × texels × interpolations × formats, except the combination of the default row.
+/// The interpolations and formats of the compared tables along `axis`. Along the naive axes, whose spacing limits the
+/// error, there are no 16-bit integers and no cubic coefficients.
+fn variants(axis: RowAxis) -> impl Iterator<Item = (Interpolation, Format)> {
+    let all = Interpolation::ALL.into_iter().flat_map(|interpolation| {
+        Format::ALL
+            .into_iter()
+            .map(move |format| (interpolation, format))
+    });
+    let residual = axis.starts_at_shadow_edge();
+    all.filter(move |&(interpolation, format)| {
+        let fast = interpolation == Interpolation::CubicCoefficients || format == Format::Unorm16;
+        residual || !fast
+    })
+}
+
+/// Tables of all axes × texels × [`variants`], except the combination of the default row.
 fn tables(observer: Observer) -> Methods {
     let mut rows: Vec<(RowAxis, usize)> = Vec::new();
     for axis in axes().into_iter().filter(|axis| axis.serves(&observer)) {
@@ -107,17 +127,12 @@ fn tables(observer: Observer) -> Methods {
     rows.into_par_iter()
         .flat_map_iter(|(axis, texels)| {
             let nodes = Nodes::new(axis, observer, texels);
-            Interpolation::ALL
-                .into_iter()
-                .flat_map(move |interpolation| {
-                    let nodes = nodes.clone();
-                    [Format::F16, Format::F32]
-                        .into_iter()
-                        .filter(move |&format| !is_default(axis, interpolation, texels, format))
-                        .map(move |format| {
-                            Box::new(RowTable::new(&nodes, interpolation, format))
-                                as Box<dyn BendingMethod>
-                        })
+            variants(axis)
+                .filter(move |&(interpolation, format)| {
+                    !is_default(axis, interpolation, texels, format)
+                })
+                .map(move |(interpolation, format)| {
+                    Box::new(RowTable::new(&nodes, interpolation, format)) as Box<dyn BendingMethod>
                 })
         })
         .collect()
@@ -144,7 +159,9 @@ mod tests {
         assert_eq!(labels.len(), methods.len());
         assert!(methods.iter().all(|m| !m.info().source.is_empty()));
         let tables = methods.iter().filter(|m| m.info().family == Family::Table);
-        assert_eq!(tables.count(), 5 * 9 * 4 * 2);
+        // Three naive axes, two residual ones, and the fetch from the atlas; the default row is one of the tables.
+        assert_eq!(tables.count(), 3 * 9 * 4 * 2 + 2 * 9 * 5 * 3 + 1);
+        assert_eq!(methods.len(), 519);
     }
 
     #[test]
@@ -153,6 +170,6 @@ mod tests {
         let families = methods.iter().filter(|m| m.info().family == Family::Model);
         assert_eq!(families.count(), 1);
         let tables = methods.iter().filter(|m| m.info().family == Family::Table);
-        assert_eq!(tables.count(), 2 * 9 * 4 * 2);
+        assert_eq!(tables.count(), 2 * 9 * 5 * 3 + 1);
     }
 }

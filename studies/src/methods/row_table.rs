@@ -1,11 +1,13 @@
 //! Tables of one row: an axis, an interpolation, a number of texels and a storage format.
 
+use super::filter_weight::filter_weight;
 use super::row_axis::RowAxis;
+use super::row_store::{Format, Store, Texels};
 use super::{BendingMethod, Family, InitialConditions, MethodInfo, MethodOutcome};
-use half::f16;
 use lensbake_core::rk4::Stepper;
 use lensbake_core::{Observer, direct};
-use lensbake_tables::interpolation::{chord, cubic};
+use lensbake_tables::Axis;
+use lensbake_tables::interpolation::{chord, cubic, cubic_coefficients, horner};
 
 /// How a value between texels is interpolated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -14,19 +16,22 @@ pub enum Interpolation {
     Nearest,
     /// Linear between two texels.
     Linear,
-    /// Linear, with the weight rounded to 8 bits as in GPU samplers (Vulkan 1.3, `subTexelPrecisionBits`).
+    /// Linear, with the weight rounded to 8 bits as in GPU samplers.
     LinearFilter8,
     /// Cubic Hermite between two texels, with the stored slopes.
     Hermite,
+    /// The same cubic from one texel, which holds its four coefficients.
+    CubicCoefficients,
 }
 
 impl Interpolation {
     /// All interpolations.
-    pub const ALL: [Interpolation; 4] = [
+    pub const ALL: [Interpolation; 5] = [
         Interpolation::Nearest,
         Interpolation::Linear,
         Interpolation::LinearFilter8,
         Interpolation::Hermite,
+        Interpolation::CubicCoefficients,
     ];
 
     /// Name in the CSV files and the figures.
@@ -36,22 +41,9 @@ impl Interpolation {
             Interpolation::Linear => "linear",
             Interpolation::LinearFilter8 => "linear, 8-bit weights",
             Interpolation::Hermite => "Hermite",
+            Interpolation::CubicCoefficients => "cubic coefficients",
         }
     }
-
-    /// Numbers per texel: the value, and for Hermite the slope.
-    fn channels(self) -> usize {
-        if self == Interpolation::Hermite { 2 } else { 1 }
-    }
-}
-
-/// Storage format of the texels.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Format {
-    /// 16-bit floats.
-    F16,
-    /// 32-bit floats.
-    F32,
 }
 
 /// Values and slopes per texel at the nodes, in f64. Rows of every format are made from them.
@@ -91,21 +83,30 @@ impl Nodes {
             values: (0..texels).map(node).collect(),
         }
     }
-}
 
-/// The numbers of a row in the order of its texels.
-#[derive(Debug, Clone, PartialEq)]
-enum Store {
-    F16(Vec<f16>),
-    F32(Vec<f32>),
-}
-
-impl Store {
-    fn get(&self, i: usize) -> f64 {
-        match self {
-            Store::F16(numbers) => f64::from(numbers[i]),
-            Store::F32(numbers) => f64::from(numbers[i]),
+    /// The texels for `interpolation`, rounded to `format`.
+    fn stored(&self, interpolation: Interpolation, format: Format) -> Store {
+        match interpolation {
+            Interpolation::Nearest | Interpolation::Linear | Interpolation::LinearFilter8 => {
+                let values: Vec<_> = self.values.iter().map(|&[value, _]| [value]).collect();
+                Store::new(&values, format)
+            }
+            Interpolation::Hermite => Store::new(&self.values, format),
+            Interpolation::CubicCoefficients => Store::new(&self.coefficients(), format),
         }
+    }
+
+    /// The coefficients of the cubic after each node. After the last node there is none, only its value and slope.
+    fn coefficients(&self) -> Vec<[f64; 4]> {
+        let intervals = self.values.windows(2);
+        let last = self
+            .values
+            .last()
+            .map(|&[value, slope]| [value, slope, 0.0, 0.0]);
+        intervals
+            .map(|ends| cubic_coefficients(ends[0], ends[1]))
+            .chain(last)
+            .collect()
     }
 }
 
@@ -123,77 +124,76 @@ pub struct RowTable {
 impl RowTable {
     /// The row made from `nodes`.
     pub fn new(nodes: &Nodes, interpolation: Interpolation, format: Format) -> Self {
-        let numbers = nodes
-            .values
-            .iter()
-            .flat_map(|texel| texel.iter().copied().take(interpolation.channels()));
         RowTable {
             axis: nodes.axis,
             observer: nodes.observer,
             interpolation,
             format,
             texels: nodes.values.len(),
-            store: match format {
-                Format::F16 => Store::F16(numbers.map(f16::from_f64).collect()),
-                Format::F32 => Store::F32(numbers.map(|x| x as f32).collect()),
-            },
+            store: nodes.stored(interpolation, format),
         }
     }
 
     /// The interpolated value at `position`, in texels.
     fn value(&self, position: f64) -> f64 {
-        let last = self.texels - 1;
+        match &self.store {
+            Store::F16(texels) => self.interpolate(texels.as_slice(), position),
+            Store::Unorm16(texels) => self.interpolate(texels, position),
+            Store::F32(texels) => self.interpolate(texels.as_slice(), position),
+        }
+    }
+
+    fn interpolate(&self, texels: &(impl Texels + ?Sized), position: f64) -> f64 {
         if self.interpolation == Interpolation::Nearest {
-            return self.store.get((position + 0.5) as usize);
+            let [value] = texels.texel((position + 0.5) as usize);
+            return value;
         }
-        let i = (position as usize).min(last - 1);
+        let i = (position as usize).min(self.texels - 2);
         let t = position - i as f64;
+        let line = |t: f64| {
+            let value = |i: usize| [texels.texel::<1>(i)[0], 0.0];
+            chord(value(i), value(i + 1), t)[0]
+        };
         match self.interpolation {
-            Interpolation::Hermite => self.hermite(i, t),
-            Interpolation::LinearFilter8 => self.line(i, (t * 256.0).round() / 256.0),
-            _ => self.line(i, t),
+            Interpolation::Nearest | Interpolation::Linear => line(t),
+            Interpolation::LinearFilter8 => line(filter_weight(t)),
+            Interpolation::Hermite => cubic(texels.texel(i), texels.texel(i + 1), t)[0],
+            Interpolation::CubicCoefficients => horner(texels.texel(i), t)[0],
         }
     }
 
-    fn line(&self, i: usize, t: f64) -> f64 {
-        let value = |i: usize| [self.store.get(i), 0.0];
-        chord(value(i), value(i + 1), t)[0]
-    }
-
-    fn hermite(&self, i: usize, t: f64) -> f64 {
-        let texel = |i: usize| [self.store.get(2 * i), self.store.get(2 * i + 1)];
-        cubic(texel(i), texel(i + 1), t)[0]
+    /// Whether readers will look for this table: the naive ones as most programs have them, and the default row in
+    /// other formats.
+    fn is_landmark(&self) -> bool {
+        let naive = !self.axis.starts_at_shadow_edge();
+        match (self.interpolation, self.format) {
+            (Interpolation::Linear, Format::F32) => naive && self.texels == 1024,
+            (Interpolation::Hermite, Format::F16 | Format::Unorm16)
+            | (Interpolation::CubicCoefficients, Format::F32) => {
+                self.axis == RowAxis::Baked(Axis::Residual) && self.texels == 64
+            }
+            _ => false,
+        }
     }
 }
 
 impl BendingMethod for RowTable {
     fn info(&self) -> MethodInfo {
-        let format = match self.format {
-            Format::F16 => "f16",
-            Format::F32 => "f32",
-        };
+        let (interpolation, format) = (self.interpolation.name(), self.format.name());
         MethodInfo {
             name: format!("table: {}", self.axis.name()),
-            knobs: format!("{}, {} × {format}", self.interpolation.name(), self.texels),
+            knobs: format!("{interpolation}, {} × {format}", self.texels),
             source: match self.axis {
-                RowAxis::Baked(lensbake_tables::Axis::Residual) | RowAxis::ResidualS => {
-                    "this project"
-                }
+                RowAxis::Baked(Axis::Residual) | RowAxis::ResidualS => "this project",
                 RowAxis::Baked(_) => "textbook sampling",
             },
             family: Family::Table,
-            landmark: self.texels == 1024
-                && self.interpolation == Interpolation::Linear
-                && self.format == Format::F32
-                && !self.axis.starts_at_shadow_edge(),
+            landmark: self.is_landmark(),
         }
     }
 
     fn bytes(&self) -> usize {
-        match &self.store {
-            Store::F16(numbers) => size_of_val(numbers.as_slice()),
-            Store::F32(numbers) => size_of_val(numbers.as_slice()),
-        }
+        self.store.bytes()
     }
 
     fn serves(&self, observer: &Observer) -> bool {
@@ -215,7 +215,6 @@ impl BendingMethod for RowTable {
 mod tests {
     use super::*;
     use lensbake_core::{Ray, exact};
-    use lensbake_tables::Axis;
 
     fn largest_error(axis: RowAxis, interpolation: Interpolation, format: Format) -> f64 {
         let nodes = Nodes::new(axis, Observer::at_infinity(), 256);
@@ -240,13 +239,22 @@ mod tests {
             RowAxis::Baked(Axis::UniformInverseB { b_min, b_max }),
         ];
         for axis in axes {
-            let [nearest, linear, filter8, hermite] =
+            let [nearest, linear, filter8, hermite, coefficients] =
                 Interpolation::ALL.map(|i| largest_error(axis, i, Format::F32));
             assert!(linear < 0.5 * nearest, "{axis:?}");
             assert!(linear < filter8, "{axis:?}");
             assert!(hermite < 0.5 * linear, "{axis:?}");
             let f16 = largest_error(axis, Interpolation::Hermite, Format::F16);
             assert!(hermite < f16 && f16 < 0.02, "{axis:?}: {f16:e}");
+            if axis.starts_at_shadow_edge() {
+                let off = (coefficients - hermite).abs();
+                assert!(off < 0.05 * hermite + 2e-8, "{axis:?}: {coefficients:e}");
+                let unorm16 = largest_error(axis, Interpolation::Hermite, Format::Unorm16);
+                assert!(
+                    hermite < unorm16 && unorm16 < 0.2 * f16,
+                    "{axis:?}: {unorm16:e}"
+                );
+            }
         }
     }
 

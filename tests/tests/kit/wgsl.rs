@@ -6,7 +6,7 @@ use half::f16;
 use lensbake_render::gpu::{Gpu, texture};
 use lensbake_test_support::workspace;
 use lensbake_tests::gpu;
-use lensbake_tests::probe::{Bindings, probe_with, row_texture};
+use lensbake_tests::probe::{Bindings, probe_with, texel_texture};
 use wgpu::*;
 
 /// Declares what a text is called with; `CALL` is the call.
@@ -56,7 +56,7 @@ fn row_of_each_observer() {
         .chunk_by(|a, b| a.r == b.r)
         .zip(rows(&RADII).chunks(64))
     {
-        let view = row_texture(&gpu, row);
+        let view = texel_texture(&gpu, row);
         let row = entry(2, BindingResource::TextureView(&view));
         all.extend(answers(
             &gpu,

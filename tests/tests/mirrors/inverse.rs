@@ -40,7 +40,8 @@ fn probe(gpu: &Gpu, row: &GpuInverseRow, angles: &[f32]) -> Vec<[f32; 5]> {
         questions: 0,
         answers: 2,
     };
-    probe::probe(gpu, source, bindings, angles, Some((1, &row.texels)))
+    let texture = probe::texel_texture(gpu, &row.texels);
+    probe::probe(gpu, source, bindings, angles, Some((1, texture)))
 }
 
 #[test]

@@ -5,7 +5,7 @@ use lensbake_render::gpu::Gpu;
 use lensbake_tables::interpolation::{chord, cubic};
 use lensbake_tables::lookup::GpuRow;
 use lensbake_tables::mirror::{self, Bending};
-use lensbake_tables::{Interpolation, default_atlas};
+use lensbake_tables::{ChannelRanges, Interpolation, RowFormat, default_atlas};
 use lensbake_tests::gpu;
 use lensbake_tests::probe::{self, Bindings};
 
@@ -56,7 +56,8 @@ fn probe(gpu: &Gpu, row: &GpuRow, inputs: &[[f32; 4]]) -> Vec<Probe> {
         questions: 0,
         answers: 2,
     };
-    probe::probe(gpu, source, bindings, inputs, Some((1, &row.texels)))
+    let texture = probe::row_texture(gpu, row);
+    probe::probe(gpu, source, bindings, inputs, Some((1, texture)))
 }
 
 /// Directions all around, concentrated at the shadow's edge from both sides and at the direction away from the
@@ -86,18 +87,28 @@ fn inputs(observer: &Observer) -> Vec<[f32; 4]> {
         .collect()
 }
 
-/// The rows to compare: the one of the atlas as it is, and resampled as the least models use it.
-fn rows(observer: Observer) -> [GpuRow; 5] {
+/// The rows to compare: the one of the atlas as it is, resampled as the least models use it, and in other formats
+/// (in 16-bit integers if the device has them).
+fn rows(observer: Observer, unorm16: bool) -> Vec<GpuRow> {
     let row = default_atlas().row(observer).unwrap();
     let thinned = |texels, by| GpuRow::new(&row.resampled(texels, by).unwrap());
-    [
-        GpuRow::new(&row),
+    let whole = GpuRow::new(&row);
+    let ranges = ChannelRanges::of(&whole.texels);
+    let linear = row.resampled(64, Interpolation::Linear).unwrap();
+    let mut rows = vec![
+        whole,
         thinned(64, Interpolation::Linear),
         thinned(4, Interpolation::Linear),
         thinned(8, Interpolation::Hermite),
         // Longer than any device's textures are wide.
         thinned(20_000, Interpolation::Hermite),
-    ]
+        GpuRow::new(&linear.in_format(RowFormat::Coefficients)),
+    ];
+    let unorm16 = unorm16.then_some(RowFormat::Unorm16(ranges));
+    let formats = [RowFormat::Float16, RowFormat::Coefficients];
+    let formats = formats.into_iter().chain(unorm16);
+    rows.extend(formats.map(|format| GpuRow::new(&row.clone().in_format(format))));
+    rows
 }
 
 #[test]
@@ -109,7 +120,7 @@ fn the_lookup_has_its_mirror() {
     let falling = [10.0, 1.001, 1.0, 0.5, 0.1, 0.01].map(|r| Observer::falling(r).unwrap());
     for observer in at_rest.into_iter().chain(falling) {
         let inputs = inputs(&observer);
-        for row in rows(observer) {
+        for row in rows(observer, gpu.has_unorm16()) {
             let probes = probe(&gpu, &row, &inputs);
             for (input, probe) in inputs.iter().zip(&probes) {
                 compare(&observer, &row, input, probe);
@@ -123,10 +134,11 @@ fn the_lookup_has_its_mirror() {
 fn compare(observer: &Observer, row: &GpuRow, input: &[f32; 4], probe: &Probe) {
     let &[c, p, _, _] = input;
     let at = format!(
-        "r {}, {} texels {:?}, cos {c}, sin {p}: {probe:?}",
+        "r {}, {} texels {:?} {:?}, cos {c}, sin {p}: {probe:?}",
         observer.radius(),
         row.texels.len(),
-        row.interpolation
+        row.interpolation,
+        row.format
     );
     compare_arithmetic(input, probe, &at);
     let x = mirror::row_coordinate(c, p, row.edge, row.side);

@@ -10,7 +10,9 @@ use lensbake_render::lens::{Deflection, Lens};
 use lensbake_render::sky::{self, SkySource};
 use lensbake_studies::figure::drawing;
 use lensbake_studies::gpu_chart::figure::ChartFigure;
-use lensbake_studies::gpu_chart::{ChartError, Workload, contenders, csv, falling, measure, steps};
+use lensbake_studies::gpu_chart::{
+    ChartError, Workload, contenders, csv, falling, formats, measure, steps,
+};
 use lensbake_tables::default_atlas;
 use pollster::block_on;
 use std::sync::Arc;
@@ -37,6 +39,11 @@ pub fn run(args: &ChartArgs) -> Result<Outcome, CommandError> {
     let sky = Arc::new(sky::load(&SkySource::Nebula)?);
     let lens = Lens::new(camera, default_atlas(), Deflection::Lut).map_err(ChartError::Lens)?;
     let mut contenders = contenders(&lens).map_err(ChartError::Lens)?;
+    let unorm16 = renderer.gpu().has_unorm16();
+    if !unorm16 {
+        message!("the device has no textures of 16-bit integers: that row is left out");
+    }
+    contenders.extend(formats(&lens, unorm16));
     contenders.extend(falling(&view, default_atlas())?);
     let progress = Progress::new("measuring", steps(workload, contenders.len()));
     let step = || progress.step();

@@ -1,6 +1,6 @@
 //! Placement of a figure's labels: they should hide neither each other nor the points.
 
-use crate::figure::PixelBox;
+use super::PixelBox;
 
 /// Distances of a label from its point to try, pixels.
 const DISTANCES: [i32; 7] = [18, 30, 50, 75, 105, 140, 180];

@@ -1,0 +1,69 @@
+//! The texture of a row.
+
+use super::texture::texture;
+use lensbake_tables::lookup::{GpuRow, RowShape};
+use lensbake_tables::{Interpolation, Row, RowFormat};
+use wgpu::*;
+
+/// Format of the texture that holds a row of this shape.
+pub fn row_texture_format(shape: RowShape) -> TextureFormat {
+    match (shape.format, shape.interpolation) {
+        (RowFormat::Float32, Interpolation::Linear) => TextureFormat::R32Float,
+        (RowFormat::Float32, Interpolation::Hermite) => TextureFormat::Rg32Float,
+        (RowFormat::Float16, Interpolation::Linear) => TextureFormat::R16Float,
+        (RowFormat::Float16, Interpolation::Hermite) => TextureFormat::Rg16Float,
+        (RowFormat::Unorm16(_), Interpolation::Linear) => TextureFormat::R16Unorm,
+        (RowFormat::Unorm16(_), Interpolation::Hermite) => TextureFormat::Rg16Unorm,
+        (RowFormat::Coefficients, _) => TextureFormat::Rgba32Float,
+    }
+}
+
+/// The texture of a row, and the row that it holds.
+#[derive(Debug)]
+pub(super) struct RowTexture {
+    texture: Texture,
+    view: TextureView,
+    shape: RowShape,
+    shown: Option<Row>,
+}
+
+impl RowTexture {
+    /// An empty texture for rows of this shape.
+    pub(super) fn new(device: &Device, shape: RowShape) -> Self {
+        let usage = TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST;
+        let (size, format) = (shape.texture_size(), row_texture_format(shape));
+        let texture = texture(device, "row", size, format, usage);
+        RowTexture {
+            view: texture.create_view(&Default::default()),
+            texture,
+            shape,
+            shown: None,
+        }
+    }
+
+    /// Uploads `row`, unless it is the last one again.
+    pub(super) fn show(&mut self, queue: &Queue, row: &Row) {
+        if self.shown.as_ref() == Some(row) {
+            return;
+        }
+        let bytes = GpuRow::new(row).texture_bytes();
+        let layout = TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(bytes.len() as u32 / self.texture.height()),
+            rows_per_image: None,
+        };
+        let place = self.texture.as_image_copy();
+        queue.write_texture(place, &bytes, layout, self.texture.size());
+        self.shown = Some(row.clone());
+    }
+
+    /// Shape of the rows that it can hold.
+    pub(super) fn shape(&self) -> RowShape {
+        self.shape
+    }
+
+    /// What the shaders read.
+    pub(super) fn view(&self) -> &TextureView {
+        &self.view
+    }
+}
