@@ -128,15 +128,18 @@ impl ChannelRanges {
         }
     }
 
-    fn least(self) -> [f32; 2] {
+    /// What the code 0 stands for, rad.
+    pub fn least(self) -> [f32; 2] {
         self.least.map(f32::from_bits)
     }
 
-    fn extent(self) -> [f32; 2] {
+    /// What the code 65535 stands for, less [`ChannelRanges::least`], rad.
+    pub fn extent(self) -> [f32; 2] {
         self.extent.map(f32::from_bits)
     }
 
-    fn encoded(self, texel: Texel) -> [u16; 2] {
+    /// The codes of the value and the slope of `texel`.
+    pub fn encoded(self, texel: Texel) -> [u16; 2] {
         let (least, extent) = (self.least(), self.extent());
         std::array::from_fn(|i| {
             let part = (f64::from(texel[i]) - f64::from(least[i])) / f64::from(extent[i]);
@@ -144,7 +147,8 @@ impl ChannelRanges {
         })
     }
 
-    fn decoded(self, codes: [u16; 2]) -> Texel {
+    /// The texel that the codes stand for, as a GPU computes it.
+    pub fn decoded(self, codes: [u16; 2]) -> Texel {
         let (least, extent) = (self.least(), self.extent());
         std::array::from_fn(|i| {
             let part = f32::from(codes[i]) / f32::from(u16::MAX);

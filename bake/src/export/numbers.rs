@@ -1,7 +1,7 @@
 //! The formats in which the numbers of a table can be stored, and how they are written.
 
 use half::f16;
-use lensbake_tables::Texel;
+use lensbake_tables::{ChannelRanges, Texel};
 
 /// Format of a stored number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -15,7 +15,7 @@ pub enum Precision {
 }
 
 /// Largest number of a 16-bit integer.
-const UNORM_MAX: f64 = 65_535.0;
+const UNORM_MAX: f32 = 65_535.0;
 
 impl Precision {
     /// Its name on the command line.
@@ -28,32 +28,6 @@ impl Precision {
     }
 }
 
-/// How stored numbers become values and slopes: each is start + scale × the stored number. Index 0 is for values, 1 for
-/// slopes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Decoding {
-    start: [f64; 2],
-    scale: [f64; 2],
-}
-
-impl Decoding {
-    /// The expressions `VALUE_SCALE x` and `SLOPE_SCALE x` in `text`, written out. `largest` is what the largest integer
-    /// is read as: 1 in a texture, itself in an array.
-    fn written(&self, text: &str, largest: f64) -> String {
-        let markers = ["VALUE_SCALE ", "SLOPE_SCALE "];
-        markers
-            .iter()
-            .enumerate()
-            .fold(text.to_owned(), |text, (i, marker)| {
-                let scale = self.scale[i] * UNORM_MAX / largest;
-                text.replace(
-                    marker,
-                    &format!("{} + {} * ", float(self.start[i]), float(scale)),
-                )
-            })
-    }
-}
-
 /// Texels in a format.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Numbers {
@@ -63,44 +37,30 @@ pub struct Numbers {
     pub texels: Vec<Texel>,
     /// As they are stored, as numbers from 0 to 65535 if they are integers.
     stored: Vec<Texel>,
-    decoding: Option<Decoding>,
+    /// What integers stand for.
+    ranges: Option<ChannelRanges>,
 }
 
 impl Numbers {
     /// `texels` rounded to `precision`.
     pub fn new(texels: &[Texel], precision: Precision) -> Self {
-        let (stored, decoding) = match precision {
-            Precision::F32 => (texels.to_vec(), None),
-            Precision::F16 => {
-                let rounded = |number: f32| f16::from_f32(number).to_f32();
-                (
-                    texels.iter().map(|texel| texel.map(rounded)).collect(),
-                    None,
-                )
-            }
-            Precision::Unorm16 => {
-                let decoding = ranges(texels);
-                let Decoding { start, scale } = decoding;
-                let integer = |number: f32, i: usize| {
-                    ((f64::from(number) - start[i]) / scale[i]).round() as f32
-                };
-                let stored = texels
-                    .iter()
-                    .map(|&[value, slope]| [integer(value, 0), integer(slope, 1)]);
-                (stored.collect(), Some(decoding))
-            }
-        };
-        let texels = stored.iter().map(|&texel| match decoding {
+        let ranges = (precision == Precision::Unorm16).then(|| ChannelRanges::of(texels));
+        let half = |number: f32| f16::from_f32(number).to_f32();
+        let stored = texels.iter().map(|&texel| match (precision, ranges) {
+            (_, Some(ranges)) => ranges.encoded(texel).map(f32::from),
+            (Precision::F16, None) => texel.map(half),
+            (_, None) => texel,
+        });
+        let stored: Vec<Texel> = stored.collect();
+        let texels = stored.iter().map(|&texel| match ranges {
+            Some(ranges) => ranges.decoded(texel.map(|code| code as u16)),
             None => texel,
-            Some(Decoding { start, scale }) => {
-                std::array::from_fn(|i| (start[i] + scale[i] * f64::from(texel[i])) as f32)
-            }
         });
         Numbers {
             precision,
             texels: texels.collect(),
             stored,
-            decoding,
+            ranges,
         }
     }
 
@@ -114,11 +74,18 @@ impl Numbers {
         self.decode(text, UNORM_MAX)
     }
 
-    fn decode(&self, text: &str, largest: f64) -> String {
-        match self.decoding {
-            Some(decoding) => decoding.written(text, largest),
-            None => text.replace("VALUE_SCALE ", "").replace("SLOPE_SCALE ", ""),
-        }
+    /// `text` with the expressions `VALUE_SCALE x` and `SLOPE_SCALE x` written out. `largest` is what the largest integer is
+    /// read as: 1 in a texture, itself in an array.
+    fn decode(&self, text: &str, largest: f32) -> String {
+        let scale = |i: usize| match self.ranges {
+            Some(ranges) => {
+                let (least, extent) = (ranges.least()[i], ranges.extent()[i] / largest);
+                format!("{} + {} * ", float(least.into()), float(extent.into()))
+            }
+            None => String::new(),
+        };
+        text.replace("VALUE_SCALE ", &scale(0))
+            .replace("SLOPE_SCALE ", &scale(1))
     }
 
     /// Values and slopes as decimals that give the stored numbers again, in lines, each with a comma after all but the
@@ -171,20 +138,6 @@ impl Numbers {
     /// The stored texels.
     pub fn stored(&self) -> &[Texel] {
         &self.stored
-    }
-}
-
-fn ranges(texels: &[Texel]) -> Decoding {
-    let of = |i: usize| {
-        let numbers = texels.iter().map(|texel| f64::from(texel[i]));
-        let start = numbers.clone().fold(f64::INFINITY, f64::min);
-        let end = numbers.fold(f64::NEG_INFINITY, f64::max);
-        (start, ((end - start) / UNORM_MAX).max(f64::MIN_POSITIVE))
-    };
-    let [(value, value_scale), (slope, slope_scale)] = [of(0), of(1)];
-    Decoding {
-        start: [value, slope],
-        scale: [value_scale, slope_scale],
     }
 }
 
