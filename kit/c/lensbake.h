@@ -2167,10 +2167,11 @@ static inline lensbake_vec2 lensbake_cos_sin(float angle) {
     float sine = r + r * r2 * (-1.6666654e-1f + r2 * (8.332161e-3f + r2 * -1.9515296e-4f));
     float cosine = 1.0f - 0.5f * r2 + r2 * r2 * (4.1666646e-2f + r2 * (-1.3887316e-3f + r2 * 2.4433157e-5f));
     int turn = (int)(quarter) & 3;
-    int swapped = (turn & 1) == 1;
-    float x = (swapped ? sine : cosine);
-    float y = (swapped ? cosine : sine);
-    return lensbake_make_vec2((turn == 1 || turn == 2 ? -x : x), (turn >= 2 ? -y : y));
+    lensbake_vec2 swapped = ((turn & 1) == 1 ? lensbake_make_vec2(sine, cosine) : lensbake_make_vec2(cosine, sine));
+    return lensbake_make_vec2(
+        (turn == 1 || turn == 2 ? -swapped.x : swapped.x),
+        (turn >= 2 ? -swapped.y : swapped.y)
+    );
 }
 
 // (cos theta', sin theta') of the direction turned towards the hole by the bending Delta: theta' = theta - Delta.

@@ -98,10 +98,11 @@ float2 lensbake_cos_sin(float angle) {
     float sine = r + r * r2 * (-1.6666654e-1 + r2 * (8.332161e-3 + r2 * -1.9515296e-4));
     float cosine = 1.0 - 0.5 * r2 + r2 * r2 * (4.1666646e-2 + r2 * (-1.3887316e-3 + r2 * 2.4433157e-5));
     int turn = int(quarter) & 3;
-    bool swapped = (turn & 1) == 1;
-    float x = (swapped ? sine : cosine);
-    float y = (swapped ? cosine : sine);
-    return float2((turn == 1 || turn == 2 ? -x : x), (turn >= 2 ? -y : y));
+    float2 swapped = ((turn & 1) == 1 ? float2(sine, cosine) : float2(cosine, sine));
+    return float2(
+        (turn == 1 || turn == 2 ? -swapped.x : swapped.x),
+        (turn >= 2 ? -swapped.y : swapped.y)
+    );
 }
 
 // (cos theta', sin theta') of the direction turned towards the hole by the bending Delta: theta' = theta - Delta.

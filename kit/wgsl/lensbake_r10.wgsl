@@ -109,10 +109,11 @@ fn lensbake_r10_cos_sin(angle: f32) -> vec2<f32> {
     let sine: f32 = r + r * r2 * (-1.6666654e-1 + r2 * (8.332161e-3 + r2 * -1.9515296e-4));
     let cosine: f32 = 1.0 - 0.5 * r2 + r2 * r2 * (4.1666646e-2 + r2 * (-1.3887316e-3 + r2 * 2.4433157e-5));
     let turn: i32 = i32(quarter) & 3;
-    let swapped: bool = (turn & 1) == 1;
-    let x: f32 = select(cosine, sine, swapped);
-    let y: f32 = select(sine, cosine, swapped);
-    return vec2<f32>(select(x, -x, turn == 1 || turn == 2), select(y, -y, turn >= 2));
+    let swapped: vec2<f32> = select(vec2<f32>(cosine, sine), vec2<f32>(sine, cosine), (turn & 1) == 1);
+    return vec2<f32>(
+        select(swapped.x, -swapped.x, turn == 1 || turn == 2),
+        select(swapped.y, -swapped.y, turn >= 2)
+    );
 }
 
 // (cos θ′, sin θ′) of the direction turned towards the hole by the bending Δ: θ′ = θ − Δ.

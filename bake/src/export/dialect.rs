@@ -16,6 +16,8 @@ pub struct Dialect {
     names: &'static [(&'static str, &'static str)],
     /// What makes a vector of two components.
     pub make_vec2: &'static str,
+    /// The function that chooses between two vectors of two components, where `?` cannot.
+    pub choose_vec2: Option<&'static str>,
     /// What makes a vector of three components.
     pub make_vec3: &'static str,
     /// What follows a number that is not an integer.
@@ -69,6 +71,7 @@ const BRACES: Array = Array {
 pub const WGSL: Dialect = Dialect {
     names: &[],
     make_vec2: "vec2<f32>",
+    choose_vec2: None,
     make_vec3: "vec3<f32>",
     float_suffix: "",
     function_prefix: "",
@@ -197,6 +200,7 @@ pub const OSL: Dialect = Dialect {
         ("vec3", "vector"),
     ],
     make_vec2: "$function_vec2",
+    choose_vec2: Some("$function_choose"),
     make_vec3: "vector",
     texture: None,
     has_constants: false,

@@ -113,8 +113,13 @@ impl Rewriter<'_> {
                 let [no, yes, condition] = arguments.as_slice() else {
                     panic!("select of {} arguments", arguments.len());
                 };
-                let [no, yes, condition] = [no, yes, condition].map(|part| self.all(part));
-                *out += &format!("({} ? {} : {})", condition.trim(), yes.trim(), no.trim());
+                let of_vectors = no.iter().any(|token| token.text == "vec2");
+                let parts = [no, yes, condition].map(|part| self.all(part));
+                let [no, yes, condition] = parts.each_ref().map(|part| part.trim());
+                *out += &match self.dialect.choose_vec2.filter(|_| of_vectors) {
+                    Some(choose) => format!("{choose}({no}, {yes}, {condition})"),
+                    None => format!("({condition} ? {yes} : {no})"),
+                };
                 end
             }
             (Kind::Word, "f32" | "i32") if self.dialect.cast == Cast::Prefix => {

@@ -113,7 +113,7 @@ fn osl(text: &str, shape: &Shape, numbers: &Numbers) -> String {
         .replace("ROW_LENGTH", &(2 * numbers.stored().len()).to_string())
         .replace("NUMBERS", &numbers.lines(""))
         .replace("ARGUMENTS", arguments);
-    format!("\nstruct $function_vec2 {{\n    float x;\n    float y;\n}};\n{text}{camera}")
+    format!("{}{text}{camera}", include_str!("templates/vectors.osl"))
 }
 
 fn three(request: &Request, shape: &Shape, functions: &str) -> String {
