@@ -92,8 +92,14 @@ impl Fall {
     }
 
     /// Falls from `radius`, where the camera is now, for the proper time `time` since the last frame, r_s/c. Stops at
-    /// [`END`].
+    /// [`END`]. Nothing happens at a radius that is not positive, which has been typed and is yet to be refused.
     pub fn advance(&mut self, radius: f64, time: f64) -> Step {
+        if radius.is_nan() || radius <= 0.0 {
+            return Step {
+                radius,
+                arrives: false,
+            };
+        }
         if radius != self.radius {
             self.radius = radius;
             self.time_left = fall_time(radius);
@@ -204,6 +210,18 @@ mod tests {
         let radius = fall.advance(10.0, 2.0).radius;
         assert!((radius.powf(1.5) - (10f64.powf(1.5) - 3.0)).abs() < 1e-12);
         assert!((fall.passed() - 3.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_radius_that_is_none_does_not_disturb_the_clock() {
+        let mut fall = from(3.0);
+        fallen(&mut fall, 3.0, [0.0, 1.0]);
+        let before = fall;
+        for radius in [-161.8, 0.0, f64::NEG_INFINITY, f64::NAN] {
+            let step = fall.advance(radius, 0.1);
+            assert!(step.radius.to_bits() == radius.to_bits() && !step.arrives);
+            assert_eq!(fall, before);
+        }
     }
 
     proptest! {
