@@ -22,11 +22,15 @@ try {
     const frames = () => page.evaluate(() => window.lensbakeFrames);
     // The pixels of the view alone: the controls change as well.
     const picture = async () => pixels(browser, await page.screenshot({ style: '#panel { visibility: hidden; }' }));
+    // Frames drawn in a second, once what was begun is finished.
     const idle = async () => {
-        await page.waitForTimeout(300);
-        const before = await frames();
-        await page.waitForTimeout(1000);
-        return (await frames()) - before;
+        let drawn = 1;
+        for (let tries = 0; drawn > 0 && tries < 10; tries++) {
+            const before = await frames();
+            await page.waitForTimeout(1000);
+            drawn = (await frames()) - before;
+        }
+        return drawn;
     };
     report.idleFrames = await idle();
     await writeFile(out, await page.screenshot());
