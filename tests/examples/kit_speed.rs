@@ -6,9 +6,10 @@
 use half::f16;
 use lensbake_core::Observer;
 use lensbake_program::{Printer, message};
-use lensbake_render::gpu::{Gpu, texture};
+use lensbake_render::gpu::Gpu;
 use lensbake_tables::default_atlas;
 use lensbake_test_support::workspace;
+use lensbake_tests::probe::uploaded;
 use pollster::block_on;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -68,19 +69,6 @@ fn atlas(gpu: &Gpu) -> TextureView {
         TextureFormat::R16Float,
         bytemuck::cast_slice(&values),
     )
-}
-
-fn uploaded(gpu: &Gpu, size: [u32; 2], format: TextureFormat, bytes: &[u8]) -> TextureView {
-    let usage = TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST;
-    let texture = texture(&gpu.device, "table", size, format, usage);
-    let layout = TexelCopyBufferLayout {
-        offset: 0,
-        bytes_per_row: Some(bytes.len() as u32 / size[1]),
-        rows_per_image: None,
-    };
-    gpu.queue
-        .write_texture(texture.as_image_copy(), bytes, layout, texture.size());
-    texture.create_view(&TextureViewDescriptor::default())
 }
 
 fn program(gpu: &Gpu, text: &Text, sums: &Buffer) -> Program {

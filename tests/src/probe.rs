@@ -107,9 +107,10 @@ pub fn texel_texture(gpu: &Gpu, texels: &[[f32; 2]]) -> TextureView {
     uploaded(gpu, [width, height], TextureFormat::Rg32Float, bytes)
 }
 
-fn uploaded(gpu: &Gpu, size: [u32; 2], format: TextureFormat, bytes: &[u8]) -> TextureView {
+/// A texture of `size` that holds `bytes`, line by line.
+pub fn uploaded(gpu: &Gpu, size: [u32; 2], format: TextureFormat, bytes: &[u8]) -> TextureView {
     let usage = TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST;
-    let texture = texture(&gpu.device, "row", size, format, usage);
+    let texture = texture(&gpu.device, "table", size, format, usage);
     let layout = TexelCopyBufferLayout {
         offset: 0,
         bytes_per_row: Some(bytes.len() as u32 / texture.height()),

@@ -1,6 +1,6 @@
-//! How the languages write what the lookup needs.
+//! Syntax of each language, as far as the lookup needs it.
 
-/// How a number is converted to another type.
+/// Syntax of a type conversion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cast {
     /// `float(x)`.
@@ -9,32 +9,32 @@ pub enum Cast {
     Prefix,
 }
 
-/// A language as the rewriting sees it.
+/// Syntax of a language, for `rewrite`.
 #[derive(Debug, Clone, Copy)]
 pub struct Dialect {
     /// Types and built-in functions whose names differ from those of WGSL.
     names: &'static [(&'static str, &'static str)],
-    /// What makes a vector of two components.
+    /// Constructor of a vector of two components.
     pub make_vec2: &'static str,
-    /// The function that chooses between two vectors of two components, where `?` cannot.
+    /// Function that selects one of two vectors of two components, in a language whose operator `?:` cannot.
     pub choose_vec2: Option<&'static str>,
-    /// What makes a vector of three components.
+    /// Constructor of a vector of three components.
     pub make_vec3: &'static str,
-    /// What follows a number that is not an integer.
+    /// Suffix of a floating-point literal.
     pub float_suffix: &'static str,
-    /// What precedes a function.
+    /// Keywords before the return type of a function.
     pub function_prefix: &'static str,
-    /// What stands for no parameters.
+    /// Parameter list of a function without parameters.
     pub no_parameters: &'static str,
-    /// Conversions.
+    /// Syntax of a type conversion.
     pub cast: Cast,
-    /// Whether structs are declared by `typedef`.
+    /// Whether structs are declared with `typedef`.
     pub typedef: bool,
-    /// What precedes a constant array, and its name's and the values' brackets.
+    /// Syntax of a constant array.
     array: Array,
     /// Access to textures, in languages that have them.
     pub texture: Option<Texture>,
-    /// Whether there are constants outside of functions.
+    /// Whether the language has constants outside of functions.
     pub has_constants: bool,
     /// Parameter and argument of a function that reads an array.
     pub array_parameter: [&'static str; 2],

@@ -4,6 +4,7 @@ use super::numbers::Numbers;
 use fastrand::Rng;
 use lensbake_core::rk4::Stepper;
 use lensbake_core::{Observer, ShadowCoordinate, direct, exact};
+use lensbake_studies::methods::filter_weight::{bilinear, texel_and_weight};
 use lensbake_tables::baking::{EDGE_GAP, ObservedRay, random};
 use lensbake_tables::interpolation::cubic;
 use lensbake_tables::lookup::HorizonSide;
@@ -135,13 +136,11 @@ fn filtered_bend(
 ) -> f64 {
     let axis = Axis::Residual;
     let place = [axis.position(at), observer.chi() / FRAC_PI_2];
-    let [(x, tx), (y, ty)] = [0, 1].map(|i| {
+    let [x, y] = [0, 1].map(|i| {
         let position = place[i] * f64::from(size[i] - 1);
-        let first = position.floor().min(f64::from(size[i] - 2));
-        (first as usize, ((position - first) * 256.0).round() / 256.0)
+        texel_and_weight(position, size[i] as usize)
     });
     let value = |x: usize, y: usize| f64::from(numbers.texels[y * size[0] as usize + x][0]);
-    let line = |y: usize| value(x, y) + tx * (value(x + 1, y) - value(x, y));
-    let stored = line(y) + ty * (line(y + 1) - line(y));
+    let stored = bilinear(value, x, y);
     axis.bend(observer, at, stored)
 }

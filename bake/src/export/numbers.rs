@@ -33,11 +33,11 @@ impl Precision {
 pub struct Numbers {
     /// The format.
     pub precision: Precision,
-    /// As they are read again.
+    /// The texels after rounding, as a program reads them.
     pub texels: Vec<Texel>,
-    /// As they are stored, as numbers from 0 to 65535 if they are integers.
+    /// The numbers in the file or the text; integers from 0 to 65535 for [`Precision::Unorm16`].
     stored: Vec<Texel>,
-    /// What integers stand for.
+    /// The ranges that the integers of [`Precision::Unorm16`] stand for.
     ranges: Option<ChannelRanges>,
 }
 
@@ -64,18 +64,18 @@ impl Numbers {
         }
     }
 
-    /// `text` with the expressions that decode what is read from a texture.
+    /// Inserts into `text` the decoding of numbers that are read from a texture.
     pub fn decode_texture(&self, text: &str) -> String {
         self.decode(text, 1.0)
     }
 
-    /// `text` with the expressions that decode what is read from an array of [`Numbers::lines`].
+    /// Inserts into `text` the decoding of numbers that are read from an array of [`Numbers::lines`].
     pub fn decode_array(&self, text: &str) -> String {
         self.decode(text, UNORM_MAX)
     }
 
-    /// `text` with the expressions `VALUE_SCALE x` and `SLOPE_SCALE x` written out. `largest` is what the largest integer is
-    /// read as: 1 in a texture, itself in an array.
+    /// Replaces the markers `VALUE_SCALE` and `SLOPE_SCALE` in `text` by the offset and factor of [`ChannelRanges`], or by
+    /// nothing for floats. `largest` is the number that 65535 is read as: 1 from a texture, 65535 from an array.
     fn decode(&self, text: &str, largest: f32) -> String {
         let scale = |i: usize| match self.ranges {
             Some(ranges) => {
@@ -88,8 +88,8 @@ impl Numbers {
             .replace("SLOPE_SCALE ", &scale(1))
     }
 
-    /// Values and slopes as decimals that give the stored numbers again, in lines, each with a comma after all but the
-    /// last.
+    /// The stored values and slopes as decimal literals, eight a line, separated by commas. Each literal parses back to the
+    /// stored number; `suffix` follows it.
     pub fn lines(&self, suffix: &str) -> String {
         let written: Vec<String> = self
             .stored

@@ -5,6 +5,9 @@ use super::dialect::Dialect;
 use super::numbers::{Numbers, float};
 use lensbake_tables::lookup::{HorizonSide, ShadowEdge, WGSL_MODULES};
 
+/// Name of the constant array of numbers, if the text has one.
+pub const CONSTANT_ARRAY: &str = "$function_numbers";
+
 /// Where the numbers are that the text looks up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
@@ -33,16 +36,20 @@ pub struct Shape {
     pub side: HorizonSide,
 }
 
-/// Parameters and arguments of the functions, for a language.
+/// What the functions are passed besides directions: the text of the parameters and that of the arguments. Both are empty
+/// if a function does not need it.
 struct Passed {
+    /// The radius, from which the edge of the shadow is computed.
     observer: [&'static str; 2],
+    /// The radius, for the lookup itself.
     radius: [&'static str; 2],
+    /// The table.
     data: [&'static str; 2],
 }
 
 impl Shape {
-    /// The functions in WGSL, each after its comment, in an order in which each is declared before its use. In the text
-    /// parameters and arguments are those that `dialect` needs; everything else is still to be rewritten.
+    /// The source of the functions in WGSL, each declared before its use. Parameters, arguments and texture access are
+    /// already those of `dialect`; `rewrite` translates the rest.
     pub fn functions(&self, numbers: &Numbers, dialect: &Dialect) -> String {
         let edge = include_str!("wgsl/edge_struct.wgsl");
         let edge = match (self.side, self.edge) {
@@ -126,9 +133,9 @@ impl Shape {
     }
 
     /// Name of the array of numbers in the functions.
-    pub fn array_name(&self, dialect: &Dialect) -> &'static str {
+    fn array_name(&self, dialect: &Dialect) -> &'static str {
         match (self.place, dialect.has_constants) {
-            (Place::Array | Place::Atlas, true) => "$function_numbers",
+            (Place::Array | Place::Atlas, true) => CONSTANT_ARRAY,
             _ => "row",
         }
     }

@@ -2,7 +2,7 @@
 
 use super::numbers::{Numbers, Precision};
 use super::rewrite::rewrite;
-use super::source::{Place, Shape};
+use super::source::{CONSTANT_ARRAY, Place, Shape};
 use super::{Language, Request};
 use lensbake_tables::Axis;
 use lensbake_tables::lookup::HorizonSide;
@@ -14,21 +14,15 @@ pub fn text(request: &Request, shape: &Shape, numbers: &Numbers) -> String {
     };
     let functions = shape.functions(numbers, dialect);
     let functions = rewrite(&functions, dialect, &request.function);
-    let array = shape.array_name(dialect);
     let in_text =
         matches!(shape.place, Place::Array | Place::Atlas) || request.language == Language::C;
     let count = numbers.stored().len() * 2;
     let array = match in_text && dialect.has_constants {
         true => {
-            let name = if request.language == Language::C {
-                "$function_numbers"
-            } else {
-                array
-            };
             let lines = numbers.lines(dialect.float_suffix);
             format!(
                 "\n// Value and slope of each texel.\n{}",
-                dialect.constant_array(name, count, &lines)
+                dialect.constant_array(CONSTANT_ARRAY, count, &lines)
             )
         }
         false => String::new(),

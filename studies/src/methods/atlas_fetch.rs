@@ -1,10 +1,9 @@
 //! The simplest lookup: one bilinear fetch from the whole atlas, as a GPU's sampler does it.
 
-use super::filter_weight::filter_weight;
+use super::filter_weight::{bilinear, texel_and_weight};
 use super::{BendingMethod, Family, InitialConditions, MethodInfo, MethodOutcome};
 use half::f16;
 use lensbake_core::Observer;
-use lensbake_tables::interpolation::chord;
 use lensbake_tables::{Axis, default_atlas};
 use std::f64::consts::FRAC_PI_2;
 
@@ -34,7 +33,7 @@ impl AtlasFetch {
         Some(AtlasFetch {
             axis: atlas.header().axis,
             observer,
-            row: split(
+            row: texel_and_weight(
                 observer.chi() / FRAC_PI_2 * f64::from(rows - 1),
                 rows as usize,
             ),
@@ -45,21 +44,9 @@ impl AtlasFetch {
 
     /// The bilinearly interpolated value at `column` (in texels).
     fn fetch(&self, column: f64) -> f64 {
-        let (i, across) = split(column, self.columns);
-        let (j, between) = self.row;
-        let value = |row: usize, column: usize| {
-            let stored = self.values[row * self.columns + column];
-            [f64::from(stored), 0.0]
-        };
-        let along = |row: usize| chord(value(row, i), value(row, i + 1), across);
-        chord(along(j), along(j + 1), between)[0]
+        let value = |column: usize, row: usize| self.values[row * self.columns + column].into();
+        bilinear(value, texel_and_weight(column, self.columns), self.row)
     }
-}
-
-/// The first of the two texels around `position`, of `count`, and the weight of the second.
-fn split(position: f64, count: usize) -> (usize, f64) {
-    let i = (position as usize).min(count - 2);
-    (i, filter_weight(position - i as f64))
 }
 
 impl BendingMethod for AtlasFetch {

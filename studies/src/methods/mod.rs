@@ -9,7 +9,7 @@ pub mod closed_form;
 pub mod default_row;
 pub mod dormand_prince;
 pub mod far_model;
-mod filter_weight;
+pub mod filter_weight;
 mod initial_conditions;
 pub mod leapfrog;
 mod outcome;

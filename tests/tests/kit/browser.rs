@@ -34,7 +34,6 @@ fn run(script: &str, arguments: &[&str]) -> Value {
         let path = entry.unwrap().path();
         fs::copy(&path, folder.join(path.file_name().unwrap())).unwrap();
     }
-    // Scripts whose names end in .js are modules.
     let package = fs::read_to_string(folder.join("package.json")).unwrap();
     assert!(package.contains("playwright-core"), "{HINT}");
     let output = Command::new("node")

@@ -6,8 +6,8 @@ use lensbake_test_support::workspace;
 use std::process::Command;
 use tempfile::TempDir;
 
-/// Godot 3 writes numbers of shaders with six digits, which moves the shadow's edge a little: such rays have the wrong
-/// outcome, and count by their distance from it.
+/// Godot 3 rounds the literals of a shader to six digits, which moves the shadow's edge slightly. A ray between the two edges
+/// has the wrong outcome; its error is its distance from the edge, in pixels.
 #[test]
 #[cfg_attr(
     any(feature = "no-readers", not(target_os = "linux")),

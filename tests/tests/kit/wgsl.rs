@@ -3,10 +3,10 @@
 use super::rays::{Answer, Errors, RADII, Ray, rays, rows};
 use super::{F32_BOUND, SIMPLE_BOUND, report};
 use half::f16;
-use lensbake_render::gpu::{Gpu, texture};
+use lensbake_render::gpu::Gpu;
 use lensbake_test_support::workspace;
 use lensbake_tests::gpu;
-use lensbake_tests::probe::{Bindings, probe_with, texel_texture};
+use lensbake_tests::probe::{Bindings, probe_with, texel_texture, uploaded};
 use wgpu::*;
 
 /// Declares what a text is called with; `CALL` is the call.
@@ -112,15 +112,6 @@ fn atlas(gpu: &Gpu) -> TextureView {
         .step_by(2)
         .map(|&value| f16::from_f32(value))
         .collect();
-    let usage = TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST;
-    let texture = texture(&gpu.device, "atlas", SIZE, TextureFormat::R16Float, usage);
-    let layout = TexelCopyBufferLayout {
-        offset: 0,
-        bytes_per_row: Some(2 * SIZE[0]),
-        rows_per_image: None,
-    };
     let bytes = bytemuck::cast_slice(&values);
-    gpu.queue
-        .write_texture(texture.as_image_copy(), bytes, layout, texture.size());
-    texture.create_view(&TextureViewDescriptor::default())
+    uploaded(gpu, SIZE, TextureFormat::R16Float, bytes)
 }
