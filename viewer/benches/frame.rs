@@ -3,6 +3,8 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use lensbake_core::Motion;
+use lensbake_interactive::plan::Plan;
+use lensbake_interactive::settings::Settings;
 use lensbake_render::camera::View;
 use lensbake_render::gpu::{Gpu, Presenter, RealtimeRenderer, Renderer, StarsOnDevice};
 use lensbake_render::lens::Deflection;
@@ -12,8 +14,6 @@ use lensbake_render::stars::{StarField, hipparcos};
 use lensbake_tables::default_atlas;
 use pollster::block_on;
 use std::time::{Duration, Instant};
-use viewer::window::plan::Plan;
-use viewer::window::settings::Settings;
 
 const WINDOW: [u32; 2] = [1920, 1080];
 

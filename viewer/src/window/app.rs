@@ -3,8 +3,8 @@
 use super::error::WindowError;
 use super::event::AppEvent;
 use super::open_window::{OpenWindow, Start};
-use super::settings::Settings;
-use super::state::{NamedTable, Refusal, State};
+use lensbake_interactive::settings::Settings;
+use lensbake_interactive::state::{NamedTable, Refusal, State};
 use lensbake_render::camera::{Camera, View};
 use lensbake_render::gpu::Gpu;
 use lensbake_render::shift::Shift;

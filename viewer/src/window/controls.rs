@@ -1,16 +1,16 @@
 //! Contents of the panel and the help, laid out by egui.
 
-use super::keys::{BINDINGS, MOUSE};
-use super::motion::FIELDS_OF_VIEW;
 use super::motion_controls;
 use super::panel_info::PanelInfo;
-use super::resolution::Resolution;
-use super::settings::{Comparison, SHIFTS, Settings};
 use super::typed::typed;
 use egui::{
     Align2, ComboBox, Context, Grid, Id, Label, RichText, ScrollArea, Slider, Ui, Vec2, Window,
     vec2,
 };
+use lensbake_interactive::keys::{BINDINGS, MOUSE};
+use lensbake_interactive::motion::FIELDS_OF_VIEW;
+use lensbake_interactive::resolution::Resolution;
+use lensbake_interactive::settings::{Comparison, SHIFTS, Settings};
 use lensbake_render::scene::Sampling;
 use lensbake_render::shift::Shift;
 use std::time::Duration;

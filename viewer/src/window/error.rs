@@ -1,6 +1,6 @@
 //! Why a window cannot be opened, or had to close.
 
-use super::state::Refusal;
+use lensbake_interactive::state::Refusal;
 use lensbake_render::gpu::GpuError;
 use lensbake_render::sky::SkyError;
 use thiserror::Error;

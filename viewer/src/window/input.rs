@@ -1,58 +1,36 @@
-//! Input handling: translates keyboard and mouse events into changes of the settings.
+//! Passes events of the window to the [`Input`] that knows no window system.
 
-use super::held_keys::HeldKeys;
-use super::keys::{Command, KeyAction, key_action};
-use super::motion;
-use super::settings::Settings;
+use keyboard_types::Code;
+use lensbake_interactive::input::{self, Button, Input, KeyChange, Reaction};
+use lensbake_interactive::settings::Settings;
 use lensbake_render::camera::View;
-use std::time::Instant;
-use winit::dpi::PhysicalPosition;
+use std::time::Duration;
 use winit::event::{ElementState, KeyEvent, MouseButton, MouseScrollDelta, WindowEvent};
-use winit::keyboard::{ModifiersState, PhysicalKey};
+use winit::keyboard::{KeyCode, ModifiersState, PhysicalKey};
 
-/// What a pressed mouse button drags.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Drag {
-    Look,
-    Orbit,
-    Divider,
-}
-
-/// Distance from the divider within which the pointer can drag it, pixels.
-const GRAB: f64 = 10.0;
 /// Pixels of touchpad scrolling that count as one notch of a mouse wheel.
 const PIXELS_A_NOTCH: f64 = 50.0;
-/// Orbit angle for a drag across the whole window, degrees.
-const ORBIT_DRAG_DEG: f64 = 180.0;
 
-/// Current state of keys and mouse.
+/// The input of one window.
 #[derive(Debug, Default)]
-pub struct Input {
-    held: HeldKeys,
+pub struct WindowInput {
+    input: Input,
     modifiers: ModifiersState,
-    pointer: PhysicalPosition<f64>,
-    drag: Option<Drag>,
 }
 
-/// What the window must do after an event.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Reaction {
-    /// Nothing: the picture stays the same.
-    None,
-    /// The settings have changed, or a key is held that changes them.
-    Changed,
-    /// Run the command of a key.
-    Command(Command),
-}
-
-impl Input {
-    /// Handles an event of a window that is `width` pixels wide.
-    pub fn take(&mut self, event: &WindowEvent, settings: &mut Settings, width: u32) -> Reaction {
+impl WindowInput {
+    /// Handles an event of a window that is `width` pixels wide, at the time `now`.
+    pub fn take(
+        &mut self,
+        event: &WindowEvent,
+        settings: &mut Settings,
+        width: u32,
+        now: Duration,
+    ) -> Reaction {
         let width = f64::from(width.max(1));
         match event {
             WindowEvent::Focused(false) => {
-                self.held.release_all(Instant::now());
-                self.drag = None;
+                self.input.release_all(now);
                 Reaction::Changed
             }
             WindowEvent::ModifiersChanged(modifiers) => {
@@ -65,14 +43,22 @@ impl Input {
                 event,
                 is_synthetic: false,
                 ..
-            } => self.key(event, settings),
+            } => self.key(event, settings, now),
             WindowEvent::MouseInput { state, button, .. } => {
-                self.button(*state, *button, settings, width);
+                match (state, button) {
+                    (ElementState::Released, _) => self.input.release(),
+                    (_, MouseButton::Left) => self.input.press(Button::Look, settings, width),
+                    (_, MouseButton::Right) => self.input.press(Button::Orbit, settings, width),
+                    _ => (),
+                }
                 Reaction::None
             }
-            WindowEvent::CursorMoved { position, .. } => self.moved(*position, settings, width),
+            WindowEvent::CursorMoved { position, .. } => {
+                self.input.moved([position.x, position.y], settings, width)
+            }
             WindowEvent::MouseWheel { delta, .. } => {
-                self.wheel(*delta, &mut settings.view);
+                let zooms = self.modifiers.control_key();
+                input::wheel(&mut settings.view, notches(*delta), zooms);
                 Reaction::Changed
             }
             _ => Reaction::None,
@@ -80,86 +66,48 @@ impl Input {
     }
 
     /// Moves the view by the keys that were held since the last call; true if one still is.
-    pub fn steer(&mut self, view: &mut View, now: Instant) -> bool {
-        self.held
-            .drain(now, |movement, seconds| movement.steer(view, seconds));
-        self.held.any()
+    pub fn steer(&mut self, view: &mut View, now: Duration) -> bool {
+        self.input.steer(view, now)
     }
 
-    fn key(&mut self, key: &KeyEvent, settings: &mut Settings) -> Reaction {
+    fn key(&mut self, key: &KeyEvent, settings: &mut Settings, now: Duration) -> Reaction {
         let PhysicalKey::Code(code) = key.physical_key else {
             return Reaction::None;
         };
-        let now = Instant::now();
-        match (key_action(code), key.state) {
-            (Some(KeyAction::Held(movement)), ElementState::Pressed) => {
-                self.held.press(code, movement, now);
-                Reaction::Changed
-            }
-            (Some(KeyAction::Held(_)), ElementState::Released) => {
-                self.held.release(code, now);
-                Reaction::Changed
-            }
-            _ if key.repeat => Reaction::None,
-            // Movement up to now comes before the change or command.
-            (Some(KeyAction::Changes(change)), ElementState::Pressed) => {
-                self.steer(&mut settings.view, now);
-                settings.change(change);
-                Reaction::Changed
-            }
-            (Some(KeyAction::Pressed(command)), ElementState::Pressed) => {
-                self.steer(&mut settings.view, now);
-                Reaction::Command(command)
-            }
-            _ => Reaction::None,
-        }
-    }
-
-    fn button(&mut self, state: ElementState, button: MouseButton, now: &Settings, width: f64) {
-        let at_divider = (self.pointer.x - now.divider * width).abs() < GRAB;
-        self.drag = match (state, button) {
-            (ElementState::Released, _) => None,
-            (_, MouseButton::Left) if now.is_split() && at_divider => Some(Drag::Divider),
-            (_, MouseButton::Left) => Some(Drag::Look),
-            (_, MouseButton::Right) => Some(Drag::Orbit),
-            _ => self.drag,
+        let change = match key.state {
+            ElementState::Released => KeyChange::Released,
+            ElementState::Pressed if key.repeat => KeyChange::Repeated,
+            ElementState::Pressed => KeyChange::Pressed,
         };
+        key_code(code).map_or(Reaction::None, |code| {
+            self.input.key(code, change, settings, now)
+        })
     }
+}
 
-    fn moved(
-        &mut self,
-        to: PhysicalPosition<f64>,
-        settings: &mut Settings,
-        width: f64,
-    ) -> Reaction {
-        let (right, down) = (to.x - self.pointer.x, to.y - self.pointer.y);
-        self.pointer = to;
-        let view = &mut settings.view;
-        // The sky follows the pointer.
-        match self.drag {
-            None => return Reaction::None,
-            Some(Drag::Look) => {
-                let degrees = view.fov_deg / width;
-                motion::look(view, -right * degrees, down * degrees);
-            }
-            Some(Drag::Orbit) => {
-                let degrees = ORBIT_DRAG_DEG / width;
-                motion::orbit(view, -right * degrees, down * degrees);
-            }
-            Some(Drag::Divider) => settings.divider = (to.x / width).clamp(0.0, 1.0),
-        }
-        Reaction::Changed
+/// The key by its name in the W3C's standard, which both types are named after; winit serialises to that name.
+fn key_code(key: KeyCode) -> Option<Code> {
+    let name = serde_json::to_value(key).ok()?;
+    name.as_str()?.parse().ok()
+}
+
+fn notches(delta: MouseScrollDelta) -> f64 {
+    match delta {
+        MouseScrollDelta::LineDelta(_, y) => f64::from(y),
+        MouseScrollDelta::PixelDelta(pixels) => pixels.y / PIXELS_A_NOTCH,
     }
+}
 
-    fn wheel(&self, delta: MouseScrollDelta, view: &mut View) {
-        let notches = match delta {
-            MouseScrollDelta::LineDelta(_, y) => f64::from(y),
-            MouseScrollDelta::PixelDelta(pixels) => pixels.y / PIXELS_A_NOTCH,
-        };
-        if self.modifiers.control_key() {
-            motion::zoom(view, notches);
-        } else {
-            motion::scroll(view, notches);
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lensbake_interactive::keys::BINDINGS;
+
+    #[test]
+    fn every_key_that_does_something_has_the_same_name_in_winit() {
+        for (code, _) in BINDINGS.iter().flat_map(|binding| binding.keys) {
+            let key: KeyCode = serde_json::from_value(code.to_string().into()).unwrap();
+            assert_eq!(key_code(key), Some(*code));
         }
     }
 }

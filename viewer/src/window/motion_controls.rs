@@ -1,15 +1,15 @@
 //! Rows of the panel for the radius, the motion and the passing of time, laid out by egui.
 
-use super::fall::Fall;
-use super::motion::{CLOCK_RATES, ORBIT_SPEEDS, radii};
-use super::motion_choice::{name, problem};
-use super::motion_facts::{facts, region};
 use super::panel_info::PanelInfo;
-use super::settings::Settings;
-use super::title;
 use super::typed::typed;
 use egui::{Label, Rect, Response, RichText, Slider, Stroke, Ui, lerp};
 use lensbake_core::{Motion, R_PHOTON};
+use lensbake_interactive::fall::Fall;
+use lensbake_interactive::motion::{CLOCK_RATES, ORBIT_SPEEDS, radii};
+use lensbake_interactive::motion_choice::{name, problem};
+use lensbake_interactive::motion_facts::{facts, region};
+use lensbake_interactive::settings::Settings;
+use lensbake_interactive::title;
 use std::ops::RangeInclusive;
 
 /// Radii that are marked on the slider: the horizon and the photon sphere.

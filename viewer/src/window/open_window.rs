@@ -2,26 +2,29 @@
 
 use super::controls::PanelAction;
 use super::event::AppEvent;
-use super::input::{Input, Reaction};
-use super::keys::Command;
-use super::meter::Meter;
+use super::input::WindowInput;
 use super::pace::{AfterFrame, Pace};
 use super::panel::Panel;
 use super::panel_info::PanelInfo;
-use super::plan::{Plan, scaled};
-use super::resolution::{AutoScale, Resolution};
 use super::skies::Skies;
-use super::stage::{Shown, Stage};
-use super::star_notice::StarNotice;
-use super::state::{NamedTable, State};
-use super::{WindowError, files, screenshot, title};
+use super::{WindowError, files, screenshot};
+use lensbake_interactive::input::Reaction;
+use lensbake_interactive::keys::Command;
+use lensbake_interactive::meter::Meter;
+use lensbake_interactive::plan::{Plan, scaled};
+use lensbake_interactive::resolution::{AutoScale, Resolution};
+use lensbake_interactive::stage::{Frame, Stage, drawable_size};
+use lensbake_interactive::star_notice::StarNotice;
+use lensbake_interactive::state::{NamedTable, State};
+use lensbake_interactive::title;
 use lensbake_program::message;
-use lensbake_render::gpu::StarsOnDevice;
+use lensbake_render::gpu::{Gpu, StarsOnDevice};
 use lensbake_render::model::Precision;
 use lensbake_render::sky::{Sky, SkySource};
 use lensbake_render::stars::StarField;
+use pollster::block_on;
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 use winit::dpi::LogicalSize;
 use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
@@ -58,7 +61,9 @@ pub struct OpenWindow {
     star_notice: StarNotice,
     proxy: EventLoopProxy<AppEvent>,
     state: State,
-    input: Input,
+    input: WindowInput,
+    /// When the window was opened.
+    opened: Instant,
     auto: AutoScale,
     title: String,
     pictures: Meter,
@@ -86,7 +91,10 @@ impl OpenWindow {
             .map_err(|e| WindowError::no_screen(&e))?;
         let window = Arc::new(window);
         let state = start.state;
-        let (stage, on_device) = Stage::new(window.clone(), &start.sky)?;
+        let (gpu, surface) = block_on(Gpu::open_for(window.clone()))?;
+        let size = window.inner_size();
+        let size = [size.width, size.height];
+        let (stage, on_device) = block_on(Stage::new(gpu, surface, size, &start.sky))?;
         let panel = Panel::new(&window, stage.gpu(), stage.format());
         window.request_redraw();
         let mut open = OpenWindow {
@@ -101,7 +109,8 @@ impl OpenWindow {
             panel,
             proxy,
             state,
-            input: Input::default(),
+            input: WindowInput::default(),
+            opened: Instant::now(),
             auto: AutoScale::default(),
             title: String::new(),
             pictures: Meter::default(),
@@ -147,7 +156,11 @@ impl OpenWindow {
             }
             event => {
                 let width = self.window.inner_size().width;
-                match self.input.take(&event, &mut self.state.settings, width) {
+                let now = self.opened.elapsed();
+                match self
+                    .input
+                    .take(&event, &mut self.state.settings, width, now)
+                {
                     Reaction::None => (),
                     Reaction::Changed => self.redraw(),
                     Reaction::Command(command) => {
@@ -211,7 +224,7 @@ impl OpenWindow {
         let Some(plan) = self.plan()? else {
             return Ok(());
         };
-        let pixels = self.stage.screenshot(&plan)?;
+        let pixels = block_on(self.stage.screenshot(&plan))?;
         let size = [plan.window.width, plan.window.height];
         match screenshot::write(size, &pixels) {
             Ok(path) => {
@@ -224,7 +237,7 @@ impl OpenWindow {
 
     /// Uploads a sky, and shows it if the user dropped it or still has it selected.
     fn take_sky(&mut self, source: &SkySource, sky: &Sky) {
-        let on_device = match self.stage.upload_sky(sky) {
+        let on_device = match block_on(self.stage.renderer().upload_sky(sky)) {
             Ok(on_device) => on_device,
             Err(error) => return self.refuse(format!("{}: {error}", source.name())),
         };
@@ -284,28 +297,58 @@ impl OpenWindow {
         let size = [plan.window.width, plan.window.height];
         let settings = &mut self.state.settings;
         let (mut paint, action, again) = self.panel.lay_out(&self.window, size, settings, &facts);
-        let shown = self.stage.show(&plan, &mut paint)?;
+        paint.upload(self.stage.gpu());
+        let frame = self.stage.draw(&plan, &mut paint);
+        paint.finish();
+        let presented = self.present(frame?)?;
         self.apply_panel_action(action);
         let said = self.settle();
         self.record_gpu_times();
-        self.notice_lost_stars(now);
-        let left = match shown {
-            Shown::Skipped => AfterFrame::NotShown,
-            Shown::Presented if moving || said || self.state.settings != drawn => {
-                AfterFrame::Moving
-            }
+        self.notice_lost_stars(now - self.opened);
+        let left = match presented {
+            false => AfterFrame::NotShown,
+            true if moving || said || self.state.settings != drawn => AfterFrame::Moving,
             // Waiting for the GPU's report does not draw the picture again.
-            Shown::Presented if self.stage.awaits_star_light() => AfterFrame::Awaiting(again),
-            Shown::Presented => AfterFrame::Idle(again),
+            true if self.stage.awaits_star_light() => AfterFrame::Awaiting(again),
+            true => AfterFrame::Idle(again),
         };
         self.pace.end(now, left, &self.window);
         Ok(())
     }
 
+    /// Shows a frame; false if there is none to show.
+    fn present(&mut self, frame: Frame) -> Result<bool, WindowError> {
+        match frame {
+            Frame::Drawn(frame) => {
+                self.window.pre_present_notify();
+                self.stage.present(frame);
+                // A window may have been resized while its frame was drawn.
+                if self.size().is_some_and(|size| size != self.stage.size()) {
+                    self.redraw();
+                }
+                return Ok(true);
+            }
+            Frame::Skipped => (),
+            Frame::Outdated => self.redraw(),
+            Frame::Lost => {
+                let surface = self.stage.gpu().surface(self.window.clone())?;
+                self.stage.replace_surface(surface);
+                self.redraw();
+            }
+        }
+        Ok(false)
+    }
+
+    /// Size of the window in pixels, limited to what can be drawn; `None` if it has no pixels.
+    fn size(&self) -> Option<[u32; 2]> {
+        let size = self.window.inner_size();
+        drawable_size(self.stage.gpu(), [size.width, size.height])
+    }
+
     /// Moves the camera by the time since the last frame; true if something keeps moving.
     fn advance(&mut self, now: Instant) -> bool {
         let settings = &mut self.state.settings;
-        let held = self.input.steer(&mut settings.view, now);
+        let held = self.input.steer(&mut settings.view, now - self.opened);
         let moving = held || settings.moves();
         let since = self.pace.begin(now, moving);
         if let Some(said) = settings.advance(since.as_secs_f64()) {
@@ -316,7 +359,8 @@ impl OpenWindow {
 
     /// The plan of the next frame; `None` while the window has no pixels.
     fn plan(&mut self) -> Result<Option<Plan>, WindowError> {
-        let Some(window) = self.stage.fit() else {
+        let size = self.window.inner_size();
+        let Some(window) = self.stage.fit([size.width, size.height]) else {
             return Ok(None);
         };
         let scale = self.state.settings.resolution.scale(&self.auto);
@@ -350,7 +394,7 @@ impl OpenWindow {
         }
     }
 
-    fn notice_lost_stars(&mut self, now: Instant) {
+    fn notice_lost_stars(&mut self, now: Duration) {
         let light = self.stage.star_light();
         if let Some(notice) = light.and_then(|light| self.star_notice.of(light, now)) {
             self.refuse(notice.into());

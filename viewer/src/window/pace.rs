@@ -1,6 +1,6 @@
 //! Frame pacing: when the next frame is due, and how much time passed between frames.
 
-use super::meter::Meter;
+use lensbake_interactive::meter::Meter;
 use std::time::{Duration, Instant};
 use winit::window::Window;
 

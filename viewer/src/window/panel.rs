@@ -3,9 +3,10 @@
 use super::controls::{PanelAction, controls};
 use super::message::{self, Message};
 use super::panel_info::PanelInfo;
-use super::settings::Settings;
 use egui::{ClippedPrimitive, Context, TexturesDelta};
 use egui_wgpu::{RendererOptions, ScreenDescriptor};
+use lensbake_interactive::settings::Settings;
+use lensbake_interactive::stage::Overlay;
 use lensbake_render::gpu::Gpu;
 use std::time::Duration;
 use wgpu::{CommandBuffer, CommandEncoder, RenderPass, TextureFormat};
@@ -127,24 +128,24 @@ impl Paint<'_> {
         }
     }
 
-    /// Uploads egui's geometry. Returns command buffers to submit before `encoder`.
-    pub fn prepare(&mut self, gpu: &Gpu, encoder: &mut CommandEncoder) -> Vec<CommandBuffer> {
-        let Gpu { device, queue, .. } = gpu;
-        let (primitives, screen) = (&self.primitives, &self.screen);
-        self.renderer
-            .update_buffers(device, queue, encoder, primitives, screen)
-    }
-
-    /// Records the draw calls.
-    pub fn draw(&self, pass: &mut RenderPass<'static>) {
-        self.renderer.render(pass, &self.primitives, &self.screen);
-    }
-
     /// Frees textures that are no longer needed. To be called whether or not the frame was drawn.
     pub fn finish(&mut self) {
         for id in &self.textures.free {
             self.renderer.free_texture(id);
         }
         self.textures.clear();
+    }
+}
+
+impl Overlay for Paint<'_> {
+    fn prepare(&mut self, gpu: &Gpu, encoder: &mut CommandEncoder) -> Vec<CommandBuffer> {
+        let Gpu { device, queue, .. } = gpu;
+        let (primitives, screen) = (&self.primitives, &self.screen);
+        self.renderer
+            .update_buffers(device, queue, encoder, primitives, screen)
+    }
+
+    fn draw(&self, pass: &mut RenderPass<'static>) {
+        self.renderer.render(pass, &self.primitives, &self.screen);
     }
 }

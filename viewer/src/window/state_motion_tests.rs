@@ -1,11 +1,11 @@
 //! Tests of the state with observers in motion: motions that are impossible at a radius, and tables that do not reach
 //! below the horizon.
 
-use super::fall::END;
-use super::keys::Change;
-use super::state::State;
 use super::state_tests::{ABOVE_ONLY, at, named};
 use lensbake_core::Motion;
+use lensbake_interactive::fall::END;
+use lensbake_interactive::keys::Change;
+use lensbake_interactive::state::State;
 use lensbake_tables::default_atlas;
 
 /// Index of the table of the observer at r = 0.5.

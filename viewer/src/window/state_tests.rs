@@ -2,14 +2,14 @@
 //! picture, no frame is due at rest, and Home leads back to the start.
 
 use super::controls::controls;
-use super::keys::{Change, Movement};
-use super::motion;
-use super::motion_choice;
 use super::panel_info::PanelInfo;
-use super::settings::Settings;
-use super::state::{NamedTable, State};
 use egui::{Context, Pos2, RawInput, Rect, vec2};
 use lensbake_core::Motion;
+use lensbake_interactive::keys::{Change, Movement};
+use lensbake_interactive::motion;
+use lensbake_interactive::motion_choice;
+use lensbake_interactive::settings::Settings;
+use lensbake_interactive::state::{NamedTable, State};
 use lensbake_render::camera::{MAX_RADIUS, View};
 use lensbake_tables::{Axis, Header, Measured, Rows, Solver, Table, default_atlas};
 use lensbake_test_support::{coarse_atlas, one_row};

@@ -3,7 +3,7 @@
 use wgpu::*;
 
 /// Begins the pass and clears `view` to black.
-pub(super) fn begin<'a>(
+pub fn begin<'a>(
     encoder: &'a mut CommandEncoder,
     view: &TextureView,
     timestamp_writes: Option<RenderPassTimestampWrites>,

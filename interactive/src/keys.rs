@@ -3,7 +3,7 @@
 //! Key bindings use physical key positions, named as on a US keyboard, so that WASD is in the same place on every
 //! keyboard layout.
 
-use winit::keyboard::KeyCode;
+use keyboard_types::Code;
 
 /// Movement of the camera while a key is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -121,27 +121,27 @@ impl Change {
 #[derive(Debug, Clone, Copy)]
 pub struct Binding {
     /// The keys and their actions.
-    pub keys: &'static [(KeyCode, KeyAction)],
+    pub keys: &'static [(Code, KeyAction)],
     /// Names of the keys, for the help.
     pub names: &'static str,
     /// What the keys do, for the help.
     pub does: &'static str,
 }
 
-const fn held(key: KeyCode, movement: Movement) -> (KeyCode, KeyAction) {
+const fn held(key: Code, movement: Movement) -> (Code, KeyAction) {
     (key, KeyAction::Held(movement))
 }
 
-const fn changes(key: KeyCode, change: Change) -> (KeyCode, KeyAction) {
+const fn changes(key: Code, change: Change) -> (Code, KeyAction) {
     (key, KeyAction::Changes(change))
 }
 
-const fn pressed(key: KeyCode, command: Command) -> (KeyCode, KeyAction) {
+const fn pressed(key: Code, command: Command) -> (Code, KeyAction) {
     (key, KeyAction::Pressed(command))
 }
 
 const fn binding(
-    keys: &'static [(KeyCode, KeyAction)],
+    keys: &'static [(Code, KeyAction)],
     names: &'static str,
     does: &'static str,
 ) -> Binding {
@@ -152,146 +152,146 @@ const fn binding(
 pub const BINDINGS: &[Binding] = &[
     binding(
         &[
-            held(KeyCode::KeyW, Movement::LookUp),
-            held(KeyCode::KeyA, Movement::LookLeft),
-            held(KeyCode::KeyS, Movement::LookDown),
-            held(KeyCode::KeyD, Movement::LookRight),
+            held(Code::KeyW, Movement::LookUp),
+            held(Code::KeyA, Movement::LookLeft),
+            held(Code::KeyS, Movement::LookDown),
+            held(Code::KeyD, Movement::LookRight),
         ],
         "W A S D",
         "look away from the hole",
     ),
     binding(
         &[
-            held(KeyCode::ArrowUp, Movement::Nearer),
-            held(KeyCode::ArrowDown, Movement::Farther),
+            held(Code::ArrowUp, Movement::Nearer),
+            held(Code::ArrowDown, Movement::Farther),
         ],
         "Up, Down",
         "nearer, farther; slower when near",
     ),
     binding(
         &[
-            held(KeyCode::ArrowLeft, Movement::OrbitLeft),
-            held(KeyCode::ArrowRight, Movement::OrbitRight),
+            held(Code::ArrowLeft, Movement::OrbitLeft),
+            held(Code::ArrowRight, Movement::OrbitRight),
         ],
         "Left, Right",
         "go round the hole",
     ),
     binding(
-        &[changes(KeyCode::KeyO, Change::NextMotion)],
+        &[changes(Code::KeyO, Change::NextMotion)],
         "O",
         "motion: at rest, free fall, circular orbit",
     ),
     binding(
         &[
-            changes(KeyCode::KeyG, Change::LetGo),
-            changes(KeyCode::KeyT, Change::BackToLetGo),
+            changes(Code::KeyG, Change::LetGo),
+            changes(Code::KeyT, Change::BackToLetGo),
         ],
         "G, T",
         "let go (fall by proper time), pause, go on; go back",
     ),
     binding(
         &[
-            changes(KeyCode::Comma, Change::SlowerClock),
-            changes(KeyCode::Period, Change::FasterClock),
+            changes(Code::Comma, Change::SlowerClock),
+            changes(Code::Period, Change::FasterClock),
         ],
         "Comma, Period",
         "less, more proper time per second",
     ),
     binding(
-        &[changes(KeyCode::KeyR, Change::NextOrbitSpeed)],
+        &[changes(Code::KeyR, Change::NextOrbitSpeed)],
         "R",
         "orbit speed: 0×, 1×, 2×, 4×; in orbit: the true period",
     ),
     binding(
-        &[pressed(KeyCode::KeyZ, Command::NextSky)],
+        &[pressed(Code::KeyZ, Command::NextSky)],
         "Z",
         "next sky: nebula, starmap, grid, stars",
     ),
     binding(
         &[
-            changes(KeyCode::KeyC, Change::NextShift),
-            changes(KeyCode::KeyE, Change::ToggleAutoExposure),
+            changes(Code::KeyC, Change::NextShift),
+            changes(Code::KeyE, Change::ToggleAutoExposure),
         ],
         "C, E",
         "frequency shift: off, brightness, colour; auto exposure",
     ),
     binding(
-        &[changes(KeyCode::KeyL, Change::ToggleDeflection)],
+        &[changes(Code::KeyL, Change::ToggleDeflection)],
         "L",
         "deflection on or off",
     ),
     binding(
-        &[changes(KeyCode::KeyV, Change::ToggleFilter)],
+        &[changes(Code::KeyV, Change::ToggleFilter)],
         "V",
         "the mean over each pixel, or one ray per pixel",
     ),
     binding(
-        &[changes(KeyCode::KeyM, Change::NextComparison)],
+        &[changes(Code::KeyM, Change::NextComparison)],
         "M",
         "table, direct integration, both side by side, difference",
     ),
     binding(
         &[
-            changes(KeyCode::BracketLeft, Change::LessGain),
-            changes(KeyCode::BracketRight, Change::MoreGain),
+            changes(Code::BracketLeft, Change::LessGain),
+            changes(Code::BracketRight, Change::MoreGain),
         ],
         "[, ]",
         "weaker, stronger difference",
     ),
     binding(
-        &[changes(KeyCode::KeyX, Change::NextResolution)],
+        &[changes(Code::KeyX, Change::NextResolution)],
         "X",
         "resolution: 1, 2×2, automatic, 1/4, 1/2",
     ),
     binding(
         &[
-            changes(KeyCode::Equal, Change::ZoomIn),
-            changes(KeyCode::NumpadAdd, Change::ZoomIn),
-            changes(KeyCode::Minus, Change::ZoomOut),
-            changes(KeyCode::NumpadSubtract, Change::ZoomOut),
+            changes(Code::Equal, Change::ZoomIn),
+            changes(Code::NumpadAdd, Change::ZoomIn),
+            changes(Code::Minus, Change::ZoomOut),
+            changes(Code::NumpadSubtract, Change::ZoomOut),
         ],
         "+, −",
         "smaller, larger field of view",
     ),
     binding(
         &[
-            pressed(KeyCode::Home, Command::Reset),
-            pressed(KeyCode::Backspace, Command::Reset),
+            pressed(Code::Home, Command::Reset),
+            pressed(Code::Backspace, Command::Reset),
         ],
         "Home, Backspace",
         "reset",
     ),
     binding(
         &[
-            pressed(KeyCode::KeyF, Command::ToggleFullscreen),
-            pressed(KeyCode::F11, Command::ToggleFullscreen),
+            pressed(Code::KeyF, Command::ToggleFullscreen),
+            pressed(Code::F11, Command::ToggleFullscreen),
         ],
         "F, F11",
         "full screen",
     ),
     binding(
         &[
-            pressed(KeyCode::KeyP, Command::Screenshot),
-            pressed(KeyCode::F12, Command::Screenshot),
+            pressed(Code::KeyP, Command::Screenshot),
+            pressed(Code::F12, Command::Screenshot),
         ],
         "P, F12",
         "screenshot to the current folder",
     ),
     binding(
-        &[changes(KeyCode::Tab, Change::TogglePanel)],
+        &[changes(Code::Tab, Change::TogglePanel)],
         "Tab",
         "panel on or off",
     ),
     binding(
         &[
-            changes(KeyCode::KeyH, Change::ToggleHelp),
-            changes(KeyCode::F1, Change::ToggleHelp),
+            changes(Code::KeyH, Change::ToggleHelp),
+            changes(Code::F1, Change::ToggleHelp),
         ],
         "H, F1",
         "this help",
     ),
     binding(
-        &[pressed(KeyCode::Escape, Command::Leave)],
+        &[pressed(Code::Escape, Command::Leave)],
         "Esc",
         "leave the help, full screen, or the program",
     ),
@@ -307,7 +307,7 @@ pub const MOUSE: &[(&str, &str)] = &[
 ];
 
 /// The action bound to a key, if any.
-pub fn key_action(key: KeyCode) -> Option<KeyAction> {
+pub fn key_action(key: Code) -> Option<KeyAction> {
     let mut all = BINDINGS.iter().flat_map(|binding| binding.keys);
     all.find(|(k, _)| *k == key).map(|(_, action)| *action)
 }
@@ -319,22 +319,22 @@ mod tests {
 
     #[test]
     fn no_key_does_two_things() {
-        let all: Vec<KeyCode> = BINDINGS
+        let all: Vec<Code> = BINDINGS
             .iter()
             .flat_map(|b| b.keys)
             .map(|(k, _)| *k)
             .collect();
         assert_eq!(all.iter().collect::<HashSet<_>>().len(), all.len());
         assert_eq!(
-            key_action(KeyCode::KeyL),
+            key_action(Code::KeyL),
             Some(KeyAction::Changes(Change::ToggleDeflection))
         );
-        assert_eq!(key_action(KeyCode::KeyQ), None);
+        assert_eq!(key_action(Code::KeyQ), None);
     }
 
     #[test]
     fn the_readme_lists_every_key() {
-        let readme = include_str!("../../../README.md");
+        let readme = include_str!("../../README.md");
         let mouse = MOUSE.iter().map(|&(names, does)| (names, does));
         for (names, does) in BINDINGS.iter().map(|b| (b.names, b.does)).chain(mouse) {
             let line = format!("| {names} | {does} |");

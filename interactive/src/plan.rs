@@ -1,6 +1,6 @@
 //! Plan of a frame, computed on the CPU from the settings.
 
-use super::settings::Settings;
+use crate::settings::Settings;
 use lensbake_render::camera::{Camera, CameraError, View};
 use lensbake_render::gpu::{FrameContent, Presentation};
 use lensbake_render::lens::{Lens, LensError};

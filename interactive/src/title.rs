@@ -1,7 +1,7 @@
 //! Text of the title bar.
 
-use super::motion_choice;
-use super::settings::Settings;
+use crate::motion_choice;
+use crate::settings::Settings;
 use lensbake_core::Motion;
 
 /// The title of a window with the sky of this name.

@@ -1,6 +1,6 @@
 //! What the panel says about the motion of the camera: where it is, its speed, and its proper times.
 
-use super::settings::Settings;
+use crate::settings::Settings;
 use lensbake_core::geodesic::{fall_time, orbit_rate, orbit_speed};
 use lensbake_core::{Motion, R_PHOTON};
 

@@ -4,8 +4,8 @@
 //! number may set a view beyond an end. Such a view stays where it is until it is moved, and then moves only
 //! towards the end.
 
-use super::fall;
-use super::keys::Movement;
+use crate::fall;
+use crate::keys::Movement;
 use lensbake_core::Motion;
 use lensbake_render::camera::View;
 use std::ops::RangeInclusive;
@@ -122,7 +122,7 @@ fn stopped(before: f64, after: f64, range: RangeInclusive<f64>) -> f64 {
 }
 
 /// Wraps an angle to −180° … 180°.
-pub(super) fn wrapped(degrees: f64) -> f64 {
+pub(crate) fn wrapped(degrees: f64) -> f64 {
     match (-180.0..=180.0).contains(&degrees) {
         true => degrees,
         false => (degrees + 180.0).rem_euclid(360.0) - 180.0,

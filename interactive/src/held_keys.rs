@@ -1,8 +1,8 @@
 //! The keys that are held, and for how long.
 
-use super::keys::Movement;
-use std::time::{Duration, Instant};
-use winit::keyboard::KeyCode;
+use crate::keys::Movement;
+use keyboard_types::Code;
+use std::time::Duration;
 
 /// The keys that are held, and how long each was held since the last call of [`HeldKeys::drain`]. A key pressed
 /// and released between two frames counts for the time that it was held.
@@ -13,15 +13,15 @@ pub struct HeldKeys {
 
 #[derive(Debug, Clone, Copy)]
 struct Hold {
-    key: KeyCode,
+    key: Code,
     movement: Movement,
-    since: Option<Instant>,
+    since: Option<Duration>,
     before: Duration,
 }
 
 impl HeldKeys {
     /// Records that a key is pressed.
-    pub fn press(&mut self, key: KeyCode, movement: Movement, now: Instant) {
+    pub fn press(&mut self, key: Code, movement: Movement, now: Duration) {
         match self.keys.iter_mut().find(|hold| hold.key == key) {
             Some(hold) => hold.since = hold.since.or(Some(now)),
             None => self.keys.push(Hold {
@@ -34,7 +34,7 @@ impl HeldKeys {
     }
 
     /// Records that a key is released.
-    pub fn release(&mut self, key: KeyCode, now: Instant) {
+    pub fn release(&mut self, key: Code, now: Duration) {
         for hold in self.keys.iter_mut().filter(|hold| hold.key == key) {
             if let Some(since) = hold.since.take() {
                 hold.before += now - since;
@@ -43,7 +43,7 @@ impl HeldKeys {
     }
 
     /// Records that all keys are released, as when the window loses the focus.
-    pub fn release_all(&mut self, now: Instant) {
+    pub fn release_all(&mut self, now: Duration) {
         for hold in &mut self.keys {
             if let Some(since) = hold.since.take() {
                 hold.before += now - since;
@@ -57,7 +57,7 @@ impl HeldKeys {
     }
 
     /// Calls `f` with every movement and the seconds it was held since the last call.
-    pub fn drain(&mut self, now: Instant, mut f: impl FnMut(Movement, f64)) {
+    pub fn drain(&mut self, now: Duration, mut f: impl FnMut(Movement, f64)) {
         for hold in &mut self.keys {
             let running = hold.since.map(|since| now - since).unwrap_or_default();
             hold.since = hold.since.map(|_| now);
@@ -74,7 +74,7 @@ mod tests {
 
     #[test]
     fn a_key_counts_for_as_long_as_it_was_held() {
-        let start = Instant::now();
+        let start = Duration::ZERO;
         let at = |ms| start + Duration::from_millis(ms);
         let mut held = HeldKeys::default();
         let drained = |held: &mut HeldKeys, ms| {
@@ -84,16 +84,16 @@ mod tests {
             });
             all
         };
-        held.press(KeyCode::KeyW, Movement::LookUp, at(0));
-        held.press(KeyCode::KeyW, Movement::LookUp, at(5));
+        held.press(Code::KeyW, Movement::LookUp, at(0));
+        held.press(Code::KeyW, Movement::LookUp, at(5));
         assert_eq!(drained(&mut held, 10), [(Movement::LookUp, 10)]);
-        held.release(KeyCode::KeyW, at(13));
-        held.press(KeyCode::KeyW, Movement::LookUp, at(14));
-        held.release(KeyCode::KeyW, at(18));
+        held.release(Code::KeyW, at(13));
+        held.press(Code::KeyW, Movement::LookUp, at(14));
+        held.release(Code::KeyW, at(18));
         assert!(held.any());
         assert_eq!(drained(&mut held, 30), [(Movement::LookUp, 7)]);
         assert!(!held.any());
-        held.press(KeyCode::KeyA, Movement::LookLeft, at(40));
+        held.press(Code::KeyA, Movement::LookLeft, at(40));
         held.release_all(at(42));
         assert_eq!(drained(&mut held, 50), [(Movement::LookLeft, 2)]);
         assert_eq!(drained(&mut held, 60), []);

@@ -1,12 +1,12 @@
 //! What moves the camera while time passes: turning around the hole at rest, the free fall and the circular orbit by
 //! proper time.
 
-use super::fall::{END, Fall, LetGo};
-use super::great_circle::Place;
-use super::motion::{self, CLOCK_RATES, ORBIT_DEG_PER_S, wrapped};
-use super::motion_facts;
-use super::settings::Settings;
-use super::title;
+use crate::fall::{END, Fall, LetGo};
+use crate::great_circle::Place;
+use crate::motion::{self, CLOCK_RATES, ORBIT_DEG_PER_S, wrapped};
+use crate::motion_facts;
+use crate::settings::Settings;
+use crate::title;
 use lensbake_core::Motion;
 use lensbake_core::geodesic::{fall_time, orbit_rate};
 use lensbake_render::camera::View;
@@ -18,7 +18,7 @@ impl Settings {
     }
 
     /// Makes proper time pass slower or faster, by this many of [`CLOCK_RATES`].
-    pub(super) fn change_clock_rate(&mut self, steps: isize) {
+    pub(crate) fn change_clock_rate(&mut self, steps: isize) {
         let rate = self.clock_rate.saturating_add_signed(steps);
         self.clock_rate = rate.min(CLOCK_RATES.len() - 1);
     }
@@ -54,7 +54,7 @@ impl Settings {
     }
 
     /// Stops the fall where it is.
-    pub(super) fn stop_falling(&mut self) {
+    pub(crate) fn stop_falling(&mut self) {
         if let Some(fall) = &mut self.fall {
             fall.stop();
         }
@@ -132,9 +132,9 @@ fn arrival(radius: f64, fall: &Fall) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::keys::{Change, KeyAction, Movement, key_action};
     use super::*;
-    use winit::keyboard::KeyCode;
+    use crate::keys::{Change, KeyAction, Movement, key_action};
+    use keyboard_types::Code;
 
     fn at(radius: f64, motion: Motion) -> Settings {
         let view = View {
@@ -192,9 +192,9 @@ mod tests {
     #[test]
     fn the_messages_name_the_keys() {
         for (code, action) in [
-            (KeyCode::KeyG, KeyAction::Changes(Change::LetGo)),
-            (KeyCode::KeyT, KeyAction::Changes(Change::BackToLetGo)),
-            (KeyCode::ArrowDown, KeyAction::Held(Movement::Farther)),
+            (Code::KeyG, KeyAction::Changes(Change::LetGo)),
+            (Code::KeyT, KeyAction::Changes(Change::BackToLetGo)),
+            (Code::ArrowDown, KeyAction::Held(Movement::Farther)),
         ] {
             assert_eq!(key_action(code), Some(action));
         }

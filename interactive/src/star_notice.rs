@@ -1,7 +1,7 @@
 //! The notice that stars are missing, shown once while they are.
 
 use lensbake_render::gpu::StarLight;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Time for which all stars must be present before the notice is repeated: in a moving picture they may come and
 /// go.
@@ -12,18 +12,18 @@ const NOTICE: &str = "some stars are missing: they have more images than the GPU
 
 /// State of the notice.
 #[derive(Debug, Default)]
-pub(super) struct StarNotice {
-    last_missing: Option<Instant>,
+pub struct StarNotice {
+    last_missing: Option<Duration>,
 }
 
 impl StarNotice {
     /// The notice to show after the GPU reported `light` at `now`, if any.
-    pub(super) fn of(&mut self, light: StarLight, now: Instant) -> Option<&'static str> {
+    pub fn of(&mut self, light: StarLight, now: Duration) -> Option<&'static str> {
         if light == StarLight::Whole {
             return None;
         }
         let last = self.last_missing.replace(now);
-        let is_news = last.is_none_or(|last| now.saturating_duration_since(last) > ALL_THERE);
+        let is_news = last.is_none_or(|last| now.saturating_sub(last) > ALL_THERE);
         is_news.then_some(NOTICE)
     }
 }
@@ -35,7 +35,7 @@ mod tests {
     #[test]
     fn it_is_said_once_while_stars_are_missing_and_again_after_a_while() {
         let mut notice = StarNotice::default();
-        let start = Instant::now();
+        let start = Duration::ZERO;
         let mut at = |seconds, light| notice.of(light, start + Duration::from_secs(seconds));
         assert_eq!(at(0, StarLight::Whole), None);
         assert_eq!(at(1, StarLight::PartLost), Some(NOTICE));

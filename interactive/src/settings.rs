@@ -1,9 +1,9 @@
 //! Settings of the window: keys, mouse and panel change them, a frame reads them.
 
-use super::fall::Fall;
-use super::keys::Change;
-use super::motion::{self, ORBIT_SPEEDS, USUAL_CLOCK_RATE};
-use super::resolution::Resolution;
+use crate::fall::Fall;
+use crate::keys::Change;
+use crate::motion::{self, ORBIT_SPEEDS, USUAL_CLOCK_RATE};
+use crate::resolution::Resolution;
 use lensbake_core::Motion;
 use lensbake_render::camera::View;
 use lensbake_render::exposure;
@@ -60,9 +60,9 @@ pub struct Settings {
     /// The velocity that a flag gave, which can be chosen as a motion.
     pub given_velocity: Option<Motion>,
     /// The fall by proper time, once the camera has let go.
-    pub(super) fall: Option<Fall>,
+    pub fall: Option<Fall>,
     /// Index of the proper time per second.
-    pub(super) clock_rate: usize,
+    pub clock_rate: usize,
     /// Whether the camera in orbit moves by the true period.
     pub true_period: bool,
     /// Index into [`ORBIT_SPEEDS`], for the camera at rest.
@@ -148,7 +148,7 @@ impl Settings {
     /// One function for each part on which it depends whether the settings can be drawn. It copies the part from the
     /// second settings to the first, so that a change can be kept in part. The last one is for a radius and a motion that
     /// are possible only together.
-    pub(super) const PARTS: [fn(&mut Settings, &Settings); 14] = [
+    pub const PARTS: [fn(&mut Settings, &Settings); 14] = [
         |to, from| to.view.radius = from.view.radius,
         |to, from| to.view.fov_deg = from.view.fov_deg,
         |to, from| to.view.yaw_deg = from.view.yaw_deg,

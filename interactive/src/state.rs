@@ -4,10 +4,10 @@
 //! Input changes [`State::settings`] freely. [`State::settle`] then keeps the changes that can be drawn, reverts
 //! the others, and says why. [`State::plan`] draws the settings that were kept last.
 
-use super::motion_choice;
-use super::plan::{Plan, PlanError};
-use super::settings::{OutOfRange, Settings};
-use super::title;
+use crate::motion_choice;
+use crate::plan::{Plan, PlanError};
+use crate::settings::{OutOfRange, Settings};
+use crate::title;
 use lensbake_core::Motion;
 use lensbake_render::camera::CameraError;
 use lensbake_render::lens::LensError;

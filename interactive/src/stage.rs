@@ -1,9 +1,8 @@
-//! The window's surface (swap chain), and the frames drawn to it.
+//! The surface (swap chain) of a window or a canvas, and the frames drawn to it.
 
-use super::panel::Paint;
-use super::plan::Plan;
-use super::render_pass::begin;
-use super::{WindowError, screenshot};
+use crate::plan::Plan;
+use crate::render_pass::begin;
+use crate::screenshot;
 use lensbake_render::camera::MAX_SIDE;
 use lensbake_render::gpu::{
     Gpu, GpuError, Lap, Presenter, RealtimeRenderer, Renderer, SkyOnDevice, StarLight,
@@ -12,15 +11,11 @@ use lensbake_render::gpu::{
 use lensbake_render::scene::Scene;
 use lensbake_render::sky::Sky;
 use lensbake_render::stars::StarField;
-use pollster::block_on;
-use std::sync::Arc;
 use wgpu::*;
-use winit::window::Window;
 
-/// GPU resources of the window.
+/// GPU resources of a surface.
 pub struct Stage {
     gpu: Gpu,
-    window: Arc<Window>,
     surface: Surface<'static>,
     config: SurfaceConfiguration,
     realtime: RealtimeRenderer,
@@ -34,22 +29,55 @@ pub struct Stage {
 /// Largest side of a supersampled picture: half a gigabyte.
 const SUPERSAMPLED_SIDE: u32 = 8192;
 
-/// Whether a frame was presented.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Shown {
-    /// It was presented.
-    Presented,
-    /// It was not: the window is minimised, covered, or being resized.
+/// What is drawn over the picture, such as a panel.
+pub trait Overlay {
+    /// Uploads what drawing needs. Returns command buffers to submit before `encoder`.
+    fn prepare(&mut self, gpu: &Gpu, encoder: &mut CommandEncoder) -> Vec<CommandBuffer>;
+
+    /// Records the draw calls.
+    fn draw(&self, pass: &mut RenderPass<'static>);
+}
+
+/// Nothing is drawn over the picture.
+impl Overlay for () {
+    fn prepare(&mut self, _: &Gpu, _: &mut CommandEncoder) -> Vec<CommandBuffer> {
+        Vec::new()
+    }
+
+    fn draw(&self, _: &mut RenderPass<'static>) {}
+}
+
+/// What became of a frame.
+#[derive(Debug)]
+pub enum Frame {
+    /// It is drawn; [`Stage::present`] shows it.
+    Drawn(SurfaceTexture),
+    /// It is not drawn: the window is minimised, covered, or being resized.
     Skipped,
+    /// It is not drawn because the surface was outdated. Draw again.
+    Outdated,
+    /// It is not drawn because the surface is lost. [`Stage::replace_surface`] needs another.
+    Lost,
+}
+
+/// `size` (width and height in pixels), limited to what the device and a camera support; `None` if it has no pixels.
+pub fn drawable_size(gpu: &Gpu, size: [u32; 2]) -> Option<[u32; 2]> {
+    let most = gpu.device.limits().max_texture_dimension_2d.min(MAX_SIDE);
+    let size = size.map(|side| side.min(most));
+    (size[0] > 0 && size[1] > 0).then_some(size)
 }
 
 impl Stage {
-    /// A stage for `window` with this sky. Returns the uploaded sky as well.
+    /// A stage for a surface of `gpu` with this size in pixels, and with this sky. Returns the uploaded sky as well.
     ///
     /// # Errors
-    /// [`WindowError::Gpu`] if there is no GPU, or it cannot draw to the window.
-    pub fn new(window: Arc<Window>, sky: &Sky) -> Result<(Self, SkyOnDevice), WindowError> {
-        let (gpu, surface) = block_on(Gpu::open_for(window.clone()))?;
+    /// [`GpuError`] if the GPU cannot draw to the surface, or the sky does not fit.
+    pub async fn new(
+        gpu: Gpu,
+        surface: Surface<'static>,
+        size: [u32; 2],
+        sky: &Sky,
+    ) -> Result<(Self, SkyOnDevice), GpuError> {
         let capabilities = surface.get_capabilities(gpu.adapter());
         // A format that is not sRGB leaves the encoding to the shader, as egui prefers.
         let plain = capabilities.formats.iter().find(|format| {
@@ -60,7 +88,7 @@ impl Stage {
         });
         let format = plain.or(capabilities.formats.first());
         let format = *format.ok_or_else(|| GpuError::NoSurface("it has no format".into()))?;
-        let [width, height] = pixels(&window, &gpu).unwrap_or([1, 1]);
+        let [width, height] = drawable_size(&gpu, size).unwrap_or([1, 1]);
         let mut config = surface
             .get_default_config(gpu.adapter(), width, height)
             .ok_or_else(|| GpuError::NoSurface("it has no configuration".into()))?;
@@ -68,7 +96,7 @@ impl Stage {
         config.present_mode = PresentMode::AutoVsync;
         surface.configure(&gpu.device, &config);
         let renderer = Renderer::new(&gpu);
-        let sky = block_on(renderer.upload_sky(sky))?;
+        let sky = renderer.upload_sky(sky).await?;
         let realtime = RealtimeRenderer::new(renderer, [1, 1]);
         let stage = Stage {
             presenter: Presenter::new(&gpu, &realtime, format),
@@ -77,7 +105,6 @@ impl Stage {
             sky: sky.clone(),
             stars: None,
             gpu,
-            window,
             surface,
             config,
             drawn: None,
@@ -90,50 +117,54 @@ impl Stage {
         &self.gpu
     }
 
+    /// The renderer, which also uploads skies and stars.
+    pub fn renderer(&self) -> &Renderer {
+        self.realtime.renderer()
+    }
+
     /// The format of the surface.
     pub fn format(&self) -> TextureFormat {
         self.config.format
     }
 
-    /// Configures the surface for the window's size and returns that size in pixels; `None` if the window has no
-    /// pixels, as when it is minimised. The whole frame uses this size, because the window's own may change
-    /// meanwhile. It is limited to what the device can draw.
-    pub fn fit(&mut self) -> Option<[u32; 2]> {
-        let [width, height] = pixels(&self.window, &self.gpu)?;
-        if !self.fits([width, height]) {
-            self.config.width = width;
-            self.config.height = height;
-            self.configure();
-        }
-        Some([width, height])
+    /// Width and height that the surface is configured for, pixels.
+    pub fn size(&self) -> [u32; 2] {
+        [self.config.width, self.config.height]
     }
 
-    fn fits(&self, size: [u32; 2]) -> bool {
-        size == [self.config.width, self.config.height]
+    /// Configures the surface for this size, unless it is. The whole frame uses the returned size, because that of the
+    /// window may change meanwhile. It is limited to what the device can draw; `None` if it has no pixels, as when the
+    /// window is minimised.
+    pub fn fit(&mut self, size: [u32; 2]) -> Option<[u32; 2]> {
+        let size = drawable_size(&self.gpu, size)?;
+        if size != self.size() {
+            [self.config.width, self.config.height] = size;
+            self.configure();
+        }
+        Some(size)
     }
 
     fn configure(&mut self) {
         self.surface.configure(&self.gpu.device, &self.config);
     }
 
-    /// `scale`, limited to the largest whole number (at least 1) at which no side of the picture exceeds
-    /// `SUPERSAMPLED_SIDE`.
-    pub fn fitting(&self, scale: f64) -> f64 {
-        let side = self.config.width.max(self.config.height);
-        scale.min(f64::from((SUPERSAMPLED_SIDE / side).max(1)))
+    /// Draws to another surface of the same window from now on.
+    pub fn replace_surface(&mut self, surface: Surface<'static>) {
+        self.surface = surface;
+        self.configure();
     }
 
-    /// Uploads a sky.
-    ///
-    /// # Errors
-    /// [`GpuError::Failed`] if it does not fit.
-    pub fn upload_sky(&self, sky: &Sky) -> Result<SkyOnDevice, GpuError> {
-        block_on(self.realtime.renderer().upload_sky(sky))
+    /// `scale`, limited to the largest whole number (at least 1) at which no side of the picture exceeds
+    /// `SUPERSAMPLED_SIDE` or what the device can draw.
+    pub fn fitting(&self, scale: f64) -> f64 {
+        let side = self.config.width.max(self.config.height);
+        let most = self.gpu.device.limits().max_texture_dimension_2d;
+        scale.min(f64::from((SUPERSAMPLED_SIDE.min(most) / side).max(1)))
     }
 
     /// Uploads stars.
     pub fn upload_stars(&self, field: &StarField) -> StarsOnDevice {
-        self.realtime.renderer().upload_stars(field)
+        self.renderer().upload_stars(field)
     }
 
     /// Sets the sky of the next frames.
@@ -157,58 +188,38 @@ impl Stage {
         }
     }
 
-    /// Draws a plan, and the panel's `paint` over it, and presents the frame. The picture is drawn only if the
-    /// plan, the sky or the stars have changed.
+    /// Draws a plan, and `overlay` over it. The picture is drawn only if the plan, the sky or the stars have changed.
     ///
     /// # Errors
-    /// [`WindowError`] if the device failed or was lost, or the window has no surface any more.
-    pub fn show(&mut self, plan: &Plan, paint: &mut Paint) -> Result<Shown, WindowError> {
-        paint.upload(&self.gpu);
-        let shown = self.show_uploaded(plan, paint);
-        paint.finish();
-        shown
-    }
-
-    fn show_uploaded(&mut self, plan: &Plan, paint: &mut Paint) -> Result<Shown, WindowError> {
+    /// [`GpuError::Failed`] if the device failed or was lost.
+    pub fn draw(&mut self, plan: &Plan, overlay: &mut impl Overlay) -> Result<Frame, GpuError> {
         self.gpu.poll()?;
         let frame = match self.surface.get_current_texture() {
-            CurrentSurfaceTexture::Success(frame) => frame,
-            CurrentSurfaceTexture::Suboptimal(frame) => {
-                // Present it all the same. Redraw only if the window's size has changed: a window larger than the
-                // device can draw is always suboptimal.
-                if pixels(&self.window, &self.gpu).is_some_and(|size| !self.fits(size)) {
-                    self.window.request_redraw();
-                }
+            CurrentSurfaceTexture::Success(frame) | CurrentSurfaceTexture::Suboptimal(frame) => {
                 frame
             }
             CurrentSurfaceTexture::Outdated => {
                 self.configure();
-                self.window.request_redraw();
-                return Ok(Shown::Skipped);
+                return Ok(Frame::Outdated);
             }
-            CurrentSurfaceTexture::Lost => {
-                self.surface = self.gpu.surface(self.window.clone())?;
-                self.configure();
-                self.window.request_redraw();
-                return Ok(Shown::Skipped);
-            }
+            CurrentSurfaceTexture::Lost => return Ok(Frame::Lost),
             CurrentSurfaceTexture::Timeout
             | CurrentSurfaceTexture::Occluded
-            | CurrentSurfaceTexture::Validation => return Ok(Shown::Skipped),
+            | CurrentSurfaceTexture::Validation => return Ok(Frame::Skipped),
         };
         let on_screen = [frame.texture.width(), frame.texture.height()];
         if on_screen != [plan.window.width, plan.window.height] {
-            return Ok(Shown::Skipped);
+            return Ok(Frame::Skipped);
         }
-        let timed = self.draw(plan);
+        let timed = self.draw_picture(plan);
         let view = frame.texture.create_view(&Default::default());
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        let uploads = paint.prepare(&self.gpu, &mut encoder);
+        let uploads = overlay.prepare(&self.gpu, &mut encoder);
         {
             let stamps = timed.as_ref().map(Timed::after_window);
             let mut pass = begin(&mut encoder, &view, stamps).forget_lifetime();
             self.presenter.draw(&mut pass);
-            paint.draw(&mut pass);
+            overlay.draw(&mut pass);
         }
         if let Some(timed) = &timed {
             timed.resolve(&mut encoder);
@@ -219,13 +230,16 @@ impl Stage {
             timed.send_back();
         }
         self.drawn = Some(plan.clone());
-        self.window.pre_present_notify();
+        Ok(Frame::Drawn(frame))
+    }
+
+    /// Shows a frame that is drawn.
+    pub fn present(&self, frame: SurfaceTexture) {
         self.gpu.queue.present(frame);
-        Ok(Shown::Presented)
     }
 
     /// Draws the picture of a plan if it has changed, and updates the presenter.
-    fn draw(&mut self, plan: &Plan) -> Option<Timed> {
+    fn draw_picture(&mut self, plan: &Plan) -> Option<Timed> {
         self.presenter
             .show(plan.picture(), &plan.window, plan.presentation);
         if self.drawn.as_ref() == Some(plan) {
@@ -257,22 +271,14 @@ impl Stage {
         self.realtime.awaits_star_light()
     }
 
-    /// Draws a plan without the panel and reads back what the window shows: `[height][width][3]`, 8-bit sRGB.
+    /// Draws a plan without the overlay and reads back what the window shows: `[height][width][3]`, 8-bit sRGB.
     ///
     /// # Errors
     /// [`GpuError::Failed`] if the device does.
-    pub fn screenshot(&mut self, plan: &Plan) -> Result<Vec<u8>, GpuError> {
-        let _untimed = self.draw(plan);
+    pub async fn screenshot(&mut self, plan: &Plan) -> Result<Vec<u8>, GpuError> {
+        let _untimed = self.draw_picture(plan);
         self.drawn = Some(plan.clone());
         let size = [plan.window.width, plan.window.height];
-        screenshot::take(&self.gpu, &self.presenter, self.config.format, size)
+        screenshot::take(&self.gpu, &self.presenter, self.config.format, size).await
     }
-}
-
-/// Size of a window in pixels, limited to what the device and a camera support; `None` if it has no pixels.
-fn pixels(window: &Window, gpu: &Gpu) -> Option<[u32; 2]> {
-    let most = gpu.device.limits().max_texture_dimension_2d.min(MAX_SIDE);
-    let size = window.inner_size();
-    let size = [size.width, size.height].map(|side| side.min(most));
-    (size[0] > 0 && size[1] > 0).then_some(size)
 }

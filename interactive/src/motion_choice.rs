@@ -1,6 +1,6 @@
 //! Choice of the camera's motion.
 
-use super::settings::Settings;
+use crate::settings::Settings;
 use lensbake_core::{CoreError, Motion, MovingFrame};
 
 /// The motions that can always be chosen, in the order in which the key cycles through them.
@@ -35,7 +35,7 @@ impl Settings {
 
     /// Chooses the next motion that is possible at this radius. If no other is, chooses to be at rest, which then is
     /// refused with the reason.
-    pub(super) fn choose_next_motion(&mut self) {
+    pub(crate) fn choose_next_motion(&mut self) {
         let all: Vec<Motion> = self.motions().collect();
         let now = all.iter().position(|&motion| motion == self.view.motion);
         let after = now.map_or(0, |now| now + 1);

@@ -1,0 +1,27 @@
+//! What an interactive viewer of the lensed sky is made of, in a window or in a web page. Nothing here knows a window
+//! system, a page or a clock: the caller passes events, and times since a start of its choice.
+//!
+//! [`input`] turns keys, pointer, wheel and touches into changes of the [`settings`]. The [`state`] keeps the changes that
+//! can be drawn, a frame makes a [`plan`] of it, and the [`stage`] draws the plan to a surface. Movement by keys and
+//! pointer ([`motion`]) and by itself (`travel`: the fall and the orbit by proper time) depends on elapsed time, not on
+//! the frame rate.
+
+pub mod fall;
+mod great_circle;
+mod held_keys;
+pub mod input;
+pub mod keys;
+pub mod meter;
+pub mod motion;
+pub mod motion_choice;
+pub mod motion_facts;
+pub mod plan;
+mod render_pass;
+pub mod resolution;
+pub mod screenshot;
+pub mod settings;
+pub mod stage;
+pub mod star_notice;
+pub mod state;
+pub mod title;
+mod travel;
