@@ -2,7 +2,7 @@
 //! system, a page or a clock: the caller passes events, and times since a start of its choice.
 //!
 //! [`input`] turns keys, pointer, wheel and touches into changes of the [`settings`]. The [`state`] keeps the changes that
-//! can be drawn, a frame makes a [`plan`] of it, and the [`stage`] draws the plan to a surface. Movement by keys and
+//! can be drawn, a frame makes a [`plan`] of it, and the [`stage`] draws the plan to a surface. A [`session`] holds them. Movement by keys and
 //! pointer ([`motion`]) and by itself (`travel`: the fall and the orbit by proper time) depends on elapsed time, not on
 //! the frame rate.
 
@@ -15,11 +15,15 @@ pub mod meter;
 pub mod motion;
 pub mod motion_choice;
 pub mod motion_facts;
+pub mod panel_info;
+pub mod parameters;
 pub mod plan;
 mod render_pass;
 pub mod resolution;
 pub mod screenshot;
+pub mod session;
 pub mod settings;
+pub mod skies;
 pub mod stage;
 pub mod star_notice;
 pub mod state;

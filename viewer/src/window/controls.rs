@@ -1,7 +1,6 @@
 //! Contents of the panel and the help, laid out by egui.
 
 use super::motion_controls;
-use super::panel_info::PanelInfo;
 use super::typed::typed;
 use egui::{
     Align2, ComboBox, Context, Grid, Id, Label, RichText, ScrollArea, Slider, Ui, Vec2, Window,
@@ -9,6 +8,7 @@ use egui::{
 };
 use lensbake_interactive::keys::{BINDINGS, MOUSE};
 use lensbake_interactive::motion::FIELDS_OF_VIEW;
+use lensbake_interactive::panel_info::PanelInfo;
 use lensbake_interactive::resolution::Resolution;
 use lensbake_interactive::settings::{Comparison, SHIFTS, Settings};
 use lensbake_render::scene::Sampling;

@@ -15,9 +15,7 @@ mod motion_controls;
 mod open_window;
 mod pace;
 mod panel;
-mod panel_info;
 mod screenshot;
-mod skies;
 #[cfg(test)]
 mod state_motion_tests;
 #[cfg(test)]

@@ -1,6 +1,5 @@
 //! Rows of the panel for the radius, the motion and the passing of time, laid out by egui.
 
-use super::panel_info::PanelInfo;
 use super::typed::typed;
 use egui::{Label, Rect, Response, RichText, Slider, Stroke, Ui, lerp};
 use lensbake_core::{Motion, R_PHOTON};
@@ -8,6 +7,7 @@ use lensbake_interactive::fall::Fall;
 use lensbake_interactive::motion::{CLOCK_RATES, ORBIT_SPEEDS, radii};
 use lensbake_interactive::motion_choice::{name, problem};
 use lensbake_interactive::motion_facts::{facts, region};
+use lensbake_interactive::panel_info::PanelInfo;
 use lensbake_interactive::settings::Settings;
 use lensbake_interactive::title;
 use std::ops::RangeInclusive;

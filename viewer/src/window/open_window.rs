@@ -5,22 +5,18 @@ use super::event::AppEvent;
 use super::input::WindowInput;
 use super::pace::{AfterFrame, Pace};
 use super::panel::Panel;
-use super::panel_info::PanelInfo;
-use super::skies::Skies;
 use super::{WindowError, files, screenshot};
 use lensbake_interactive::input::Reaction;
 use lensbake_interactive::keys::Command;
-use lensbake_interactive::meter::Meter;
-use lensbake_interactive::plan::{Plan, scaled};
-use lensbake_interactive::resolution::{AutoScale, Resolution};
+use lensbake_interactive::plan::Plan;
+use lensbake_interactive::session::Session;
+use lensbake_interactive::skies::Selected;
 use lensbake_interactive::stage::{Frame, Stage, drawable_size};
-use lensbake_interactive::star_notice::StarNotice;
 use lensbake_interactive::state::{NamedTable, State};
 use lensbake_interactive::title;
 use lensbake_program::message;
-use lensbake_render::gpu::{Gpu, StarsOnDevice};
-use lensbake_render::model::Precision;
-use lensbake_render::sky::{Sky, SkySource};
+use lensbake_render::gpu::Gpu;
+use lensbake_render::sky::{self, Sky, SkySource};
 use lensbake_render::stars::StarField;
 use pollster::block_on;
 use std::sync::Arc;
@@ -51,23 +47,13 @@ pub struct Start {
 /// The window while it is open.
 pub struct OpenWindow {
     window: Arc<Window>,
-    stage: Stage,
+    session: Session,
     panel: Panel,
-    skies: Skies,
-    stars: StarField,
-    stars_everywhere: bool,
-    stars_on_device: Option<StarsOnDevice>,
-    stars_shown: bool,
-    star_notice: StarNotice,
     proxy: EventLoopProxy<AppEvent>,
-    state: State,
     input: WindowInput,
     /// When the window was opened.
     opened: Instant,
-    auto: AutoScale,
     title: String,
-    pictures: Meter,
-    frames: Meter,
     pace: Pace,
 }
 
@@ -90,35 +76,25 @@ impl OpenWindow {
             .create_window(attributes)
             .map_err(|e| WindowError::no_screen(&e))?;
         let window = Arc::new(window);
-        let state = start.state;
         let (gpu, surface) = block_on(Gpu::open_for(window.clone()))?;
         let size = window.inner_size();
         let size = [size.width, size.height];
         let (stage, on_device) = block_on(Stage::new(gpu, surface, size, &start.sky))?;
         let panel = Panel::new(&window, stage.gpu(), stage.format());
+        let mut session = Session::new(start.state, stage, start.source, on_device);
+        session.stars_everywhere = start.stars_everywhere;
+        session.set_stars(start.stars);
         window.request_redraw();
-        let mut open = OpenWindow {
-            skies: Skies::new(start.source, on_device, proxy.clone()),
-            stars: start.stars,
-            stars_everywhere: start.stars_everywhere,
-            stars_on_device: None,
-            stars_shown: false,
-            star_notice: StarNotice::default(),
+        Ok(OpenWindow {
             window,
-            stage,
+            session,
             panel,
             proxy,
-            state,
             input: WindowInput::default(),
             opened: Instant::now(),
-            auto: AutoScale::default(),
             title: String::new(),
-            pictures: Meter::default(),
-            frames: Meter::default(),
             pace: Pace::default(),
-        };
-        open.show_stars();
-        Ok(open)
+        })
     }
 
     /// When the next frame is due, if one is.
@@ -159,7 +135,7 @@ impl OpenWindow {
                 let now = self.opened.elapsed();
                 match self
                     .input
-                    .take(&event, &mut self.state.settings, width, now)
+                    .take(&event, &mut self.session.state.settings, width, now)
                 {
                     Reaction::None => (),
                     Reaction::Changed => self.redraw(),
@@ -180,7 +156,7 @@ impl OpenWindow {
             AppEvent::Sky(_, Err(error)) => self.refuse(error.to_string()),
             AppEvent::Table(path, table) => {
                 let table = NamedTable::new(*table, path.display().to_string());
-                match self.state.take_table(table) {
+                match self.session.state.take_table(table) {
                     Ok(said) => {
                         self.panel.say(said);
                     }
@@ -194,11 +170,13 @@ impl OpenWindow {
 
     fn obey(&mut self, events: &ActiveEventLoop, command: Command) -> Result<(), WindowError> {
         match command {
-            Command::NextSky => self.look_at_sky(self.skies.next()),
+            Command::NextSky => self.look_at_sky(self.session.skies().next()),
             Command::Reset => self.reset(),
             Command::ToggleFullscreen => self.toggle_fullscreen(),
             Command::Screenshot => self.screenshot()?,
-            Command::Leave if self.state.settings.help => self.state.settings.help = false,
+            Command::Leave if self.session.state.settings.help => {
+                self.session.state.settings.help = false
+            }
             Command::Leave if self.window.fullscreen().is_some() => self.toggle_fullscreen(),
             Command::Leave => events.exit(),
         }
@@ -206,7 +184,7 @@ impl OpenWindow {
     }
 
     fn reset(&mut self) {
-        if let Some(said) = self.state.reset() {
+        if let Some(said) = self.session.state.reset() {
             self.panel.say(said);
         }
     }
@@ -224,7 +202,7 @@ impl OpenWindow {
         let Some(plan) = self.plan()? else {
             return Ok(());
         };
-        let pixels = block_on(self.stage.screenshot(&plan))?;
+        let pixels = block_on(self.session.stage.screenshot(&plan))?;
         let size = [plan.window.width, plan.window.height];
         match screenshot::write(size, &pixels) {
             Ok(path) => {
@@ -237,39 +215,30 @@ impl OpenWindow {
 
     /// Uploads a sky, and shows it if the user dropped it or still has it selected.
     fn take_sky(&mut self, source: &SkySource, sky: &Sky) {
-        let on_device = match block_on(self.stage.renderer().upload_sky(sky)) {
+        let on_device = match block_on(self.session.stage.renderer().upload_sky(sky)) {
             Ok(on_device) => on_device,
             Err(error) => return self.refuse(format!("{}: {error}", source.name())),
         };
-        let index = self.skies.keep(source.clone(), on_device);
-        // A dropped sky is shown now; a built-in one only if it is still selected.
-        if !source.is_built_in() || index == self.skies.shown() {
-            self.look_at_sky(index);
+        if self.session.keep_sky(source, on_device) {
             self.panel.say(format!("sky: {}", source.name()));
         }
     }
 
+    /// Shows a sky. A thread loads it first if it was never shown, so that the window does not freeze.
     fn look_at_sky(&mut self, index: usize) {
-        match self.skies.choose(index) {
-            Some(sky) => {
-                self.stage.set_sky(&sky);
-                self.show_stars();
-            }
-            None => {
-                let name = self.skies.name();
-                self.panel.say(format!("making the sky {name} …"));
-            }
+        let selected = self.session.select_sky(index);
+        if matches!(selected, Selected::Ready(_)) {
+            return;
         }
-    }
-
-    /// Shows or hides the stars, depending on the sky.
-    fn show_stars(&mut self) {
-        let wanted = self.stars_everywhere || self.skies.is_stars();
-        if wanted != self.stars_shown {
-            let upload = || self.stage.upload_stars(&self.stars);
-            let stars = wanted.then(|| self.stars_on_device.get_or_insert_with(upload).clone());
-            self.stage.set_stars(stars);
-            self.stars_shown = wanted;
+        let name = self.session.skies().name();
+        self.panel.say(format!("making the sky {name} …"));
+        if let Selected::Load(source) = selected {
+            let proxy = self.proxy.clone();
+            std::thread::spawn(move || {
+                let sky = sky::load(&source).map(Box::new);
+                // The window may have closed meanwhile.
+                let _ = proxy.send_event(AppEvent::Sky(source, sky));
+            });
         }
     }
 
@@ -280,7 +249,7 @@ impl OpenWindow {
 
     /// Keeps the settings that can be drawn and reverts the others; true if that gives a new message.
     fn settle(&mut self) -> bool {
-        let refused = self.state.settle();
+        let refused = self.session.state.settle();
         refused.is_some_and(|why| self.panel.say(why))
     }
 
@@ -292,24 +261,24 @@ impl OpenWindow {
             return Ok(());
         };
         self.update_title();
-        let facts = self.facts(&plan);
-        let drawn = self.state.settings.clone();
+        let facts = self.session.info(&plan, self.pace.interval());
+        let drawn = self.session.state.settings.clone();
         let size = [plan.window.width, plan.window.height];
-        let settings = &mut self.state.settings;
+        let settings = &mut self.session.state.settings;
         let (mut paint, action, again) = self.panel.lay_out(&self.window, size, settings, &facts);
-        paint.upload(self.stage.gpu());
-        let frame = self.stage.draw(&plan, &mut paint);
+        paint.upload(self.session.stage.gpu());
+        let frame = self.session.stage.draw(&plan, &mut paint);
         paint.finish();
         let presented = self.present(frame?)?;
         self.apply_panel_action(action);
         let said = self.settle();
-        self.record_gpu_times();
+        self.session.record_gpu_times();
         self.notice_lost_stars(now - self.opened);
         let left = match presented {
             false => AfterFrame::NotShown,
-            true if moving || said || self.state.settings != drawn => AfterFrame::Moving,
+            true if moving || said || self.session.state.settings != drawn => AfterFrame::Moving,
             // Waiting for the GPU's report does not draw the picture again.
-            true if self.stage.awaits_star_light() => AfterFrame::Awaiting(again),
+            true if self.session.stage.awaits_star_light() => AfterFrame::Awaiting(again),
             true => AfterFrame::Idle(again),
         };
         self.pace.end(now, left, &self.window);
@@ -321,9 +290,12 @@ impl OpenWindow {
         match frame {
             Frame::Drawn(frame) => {
                 self.window.pre_present_notify();
-                self.stage.present(frame);
+                self.session.stage.present(frame);
                 // A window may have been resized while its frame was drawn.
-                if self.size().is_some_and(|size| size != self.stage.size()) {
+                if self
+                    .size()
+                    .is_some_and(|size| size != self.session.stage.size())
+                {
                     self.redraw();
                 }
                 return Ok(true);
@@ -331,8 +303,8 @@ impl OpenWindow {
             Frame::Skipped => (),
             Frame::Outdated => self.redraw(),
             Frame::Lost => {
-                let surface = self.stage.gpu().surface(self.window.clone())?;
-                self.stage.replace_surface(surface);
+                let surface = self.session.stage.gpu().surface(self.window.clone())?;
+                self.session.stage.replace_surface(surface);
                 self.redraw();
             }
         }
@@ -342,12 +314,12 @@ impl OpenWindow {
     /// Size of the window in pixels, limited to what can be drawn; `None` if it has no pixels.
     fn size(&self) -> Option<[u32; 2]> {
         let size = self.window.inner_size();
-        drawable_size(self.stage.gpu(), [size.width, size.height])
+        drawable_size(self.session.stage.gpu(), [size.width, size.height])
     }
 
     /// Moves the camera by the time since the last frame; true if something keeps moving.
     fn advance(&mut self, now: Instant) -> bool {
-        let settings = &mut self.state.settings;
+        let settings = &mut self.session.state.settings;
         let held = self.input.steer(&mut settings.view, now - self.opened);
         let moving = held || settings.moves();
         let since = self.pace.begin(now, moving);
@@ -357,18 +329,9 @@ impl OpenWindow {
         moving
     }
 
-    /// The plan of the next frame; `None` while the window has no pixels.
     fn plan(&mut self) -> Result<Option<Plan>, WindowError> {
         let size = self.window.inner_size();
-        let Some(window) = self.stage.fit([size.width, size.height]) else {
-            return Ok(None);
-        };
-        let scale = self.state.settings.resolution.scale(&self.auto);
-        let scale = self.stage.fitting(scale);
-        // The textures have room for the whole window, so that dynamic resolution does not reallocate them.
-        self.stage.set_room(scaled(window, scale.max(1.0)));
-        let plan = self.state.plan(window, scale)?;
-        Ok(Some(plan))
+        Ok(self.session.plan([size.width, size.height], false)?)
     }
 
     fn apply_panel_action(&mut self, action: PanelAction) {
@@ -382,45 +345,16 @@ impl OpenWindow {
         }
     }
 
-    /// Records the GPU times of earlier frames, for the panel and for the dynamic resolution.
-    fn record_gpu_times(&mut self) {
-        for lap in self.stage.laps() {
-            self.pictures.add(lap.picture);
-            self.frames.add(lap.frame);
-            let settings = &self.state.settings;
-            if settings.resolution == Resolution::Auto {
-                self.auto.learn(lap.frame, settings.target());
-            }
-        }
-    }
-
     fn notice_lost_stars(&mut self, now: Duration) {
-        let light = self.stage.star_light();
-        if let Some(notice) = light.and_then(|light| self.star_notice.of(light, now)) {
+        if let Some(notice) = self.session.lost_stars(now) {
             self.refuse(notice.into());
             self.redraw();
         }
     }
 
-    fn facts(&self, plan: &Plan) -> PanelInfo {
-        let table = self.state.table();
-        PanelInfo {
-            skies: (self.skies.names().collect(), self.skies.shown()),
-            interval: self.pace.interval(),
-            picture_time: self.pictures.mean(),
-            frame_time: self.frames.mean(),
-            picture: plan.picture(),
-            table: table.short_name(),
-            table_error: table.error_at(self.state.settings.view.radius),
-            rounding_px: Precision::F32.rounding_px(&plan.window),
-            held_radius: self.state.held_radius(),
-            adapter: self.stage.gpu().name(),
-        }
-    }
-
     /// Updates the title bar.
     fn update_title(&mut self) {
-        let title = title::title(&self.skies.name(), &self.state.settings);
+        let title = title::title(&self.session.skies().name(), &self.session.state.settings);
         if title != self.title {
             self.window.set_title(&title);
             self.title = title;

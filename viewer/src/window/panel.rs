@@ -2,9 +2,9 @@
 
 use super::controls::{PanelAction, controls};
 use super::message::{self, Message};
-use super::panel_info::PanelInfo;
 use egui::{ClippedPrimitive, Context, TexturesDelta};
 use egui_wgpu::{RendererOptions, ScreenDescriptor};
+use lensbake_interactive::panel_info::PanelInfo;
 use lensbake_interactive::settings::Settings;
 use lensbake_interactive::stage::Overlay;
 use lensbake_render::gpu::Gpu;

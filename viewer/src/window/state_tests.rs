@@ -2,12 +2,12 @@
 //! picture, no frame is due at rest, and Home leads back to the start.
 
 use super::controls::controls;
-use super::panel_info::PanelInfo;
 use egui::{Context, Pos2, RawInput, Rect, vec2};
 use lensbake_core::Motion;
 use lensbake_interactive::keys::{Change, Movement};
 use lensbake_interactive::motion;
 use lensbake_interactive::motion_choice;
+use lensbake_interactive::panel_info::PanelInfo;
 use lensbake_interactive::settings::Settings;
 use lensbake_interactive::state::{NamedTable, State};
 use lensbake_render::camera::{MAX_RADIUS, View};

@@ -1,10 +1,16 @@
-//! The skies to choose from: the built-in ones and those that the user drops. A thread loads a sky when it is
-//! first selected, so that the window does not freeze; then the sky stays on the GPU.
+//! The skies to choose from: the built-in ones and those that the user drops. A sky is loaded when it is first
+//! selected; then it stays on the GPU.
 
-use super::event::AppEvent;
 use lensbake_render::gpu::SkyOnDevice;
-use lensbake_render::sky::{self, SkySource};
-use winit::event_loop::EventLoopProxy;
+use lensbake_render::sky::SkySource;
+
+/// The built-in skies, in the order in which the key cycles through them.
+pub const BUILT_IN: [SkySource; 4] = [
+    SkySource::Nebula,
+    SkySource::Starmap,
+    SkySource::Grid,
+    SkySource::Stars,
+];
 
 /// A sky in the list.
 #[derive(Debug)]
@@ -19,22 +25,25 @@ struct Choice {
 pub struct Skies {
     choices: Vec<Choice>,
     shown: usize,
-    proxy: EventLoopProxy<AppEvent>,
+}
+
+/// What is to be done for a sky that was selected.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Selected {
+    /// Show it: it is on the device.
+    Ready(SkyOnDevice),
+    /// Load it, and then call [`Skies::keep`].
+    Load(SkySource),
+    /// Wait: it is being loaded.
+    Loading,
 }
 
 impl Skies {
-    /// The built-in skies, and `first` if it is not one of them. `sky` is `first` on the device.
-    pub fn new(first: SkySource, sky: SkyOnDevice, proxy: EventLoopProxy<AppEvent>) -> Self {
-        let built_in = [
-            SkySource::Nebula,
-            SkySource::Starmap,
-            SkySource::Grid,
-            SkySource::Stars,
-        ];
+    /// The built-in skies, and `first` if it is not one of them, which is selected. `sky` is `first` on the device.
+    pub fn new(first: SkySource, sky: SkyOnDevice) -> Self {
         let mut skies = Skies {
-            choices: built_in.map(Choice::new).into(),
+            choices: BUILT_IN.map(Choice::new).into(),
             shown: 0,
-            proxy,
         };
         skies.shown = skies.index(first);
         skies.choices[skies.shown].on_device = Some(sky);
@@ -77,20 +86,18 @@ impl Skies {
         self.choices.len() - 1
     }
 
-    /// Selects a sky. Returns it if it is on the device; otherwise a thread loads it and sends an `AppEvent::Sky`.
-    pub fn choose(&mut self, index: usize) -> Option<SkyOnDevice> {
+    /// Selects a sky.
+    pub fn select(&mut self, index: usize) -> Selected {
         self.shown = index;
         let choice = &mut self.choices[index];
-        if choice.on_device.is_none() && !choice.asked_for {
-            choice.asked_for = true;
-            let (source, proxy) = (choice.source.clone(), self.proxy.clone());
-            std::thread::spawn(move || {
-                let sky = sky::load(&source).map(Box::new);
-                // The window may have closed meanwhile.
-                let _ = proxy.send_event(AppEvent::Sky(source, sky));
-            });
+        match &choice.on_device {
+            Some(sky) => Selected::Ready(sky.clone()),
+            None if choice.asked_for => Selected::Loading,
+            None => {
+                choice.asked_for = true;
+                Selected::Load(choice.source.clone())
+            }
         }
-        choice.on_device.clone()
     }
 
     /// Keeps a sky that is on the device now; returns its index.
