@@ -32,7 +32,7 @@ pub use realtime::{FrameContent, RealtimeRenderer};
 pub use region::Region;
 pub use renderer::{Renderer, Trace};
 pub use row_texture::row_texture_format;
-pub use sky::SkyOnDevice;
+pub use sky::{SkyOnDevice, SkyUpload};
 pub use source::{MotionKey, Output, PipelineKey, Store};
 pub use stars::{StarLight, StarsOnDevice};
 pub use stopwatch::{Lap, Stopwatch, Timed};

@@ -3,7 +3,7 @@
 use super::pipelines::{Pipelines, Program};
 use super::source::PipelineKey;
 use super::stars::StarsOnDevice;
-use super::{Gpu, GpuError, Passes, Prepared, Region, ResidentScene, SkyOnDevice};
+use super::{Gpu, GpuError, Passes, Prepared, Region, ResidentScene, SkyOnDevice, SkyUpload};
 use crate::lens::Lens;
 use crate::picture::Picture;
 use crate::scene::Scene;
@@ -67,6 +67,17 @@ impl Renderer {
         let sky = self.gpu.attempt(upload).await?;
         self.gpu.wait().await?;
         Ok(sky)
+    }
+
+    /// Makes room on the device for a sky of this many texels along the edge of a face, which is then written face by
+    /// face.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`] if it does not fit; the device stays usable.
+    pub async fn begin_sky(&self, face_texels: u32) -> Result<SkyUpload, GpuError> {
+        let Gpu { device, queue, .. } = &self.gpu;
+        let begin = || SkyUpload::new(device, queue, &self.pipelines.layouts, face_texels);
+        self.gpu.attempt(begin).await
     }
 
     /// Uploads stars to the device, sorted into cells of the sky.

@@ -135,6 +135,16 @@ impl Cube {
         self.face_texels
     }
 
+    /// The texels of a face as bytes, row-major, `[n][n][4]` of f16.
+    ///
+    /// # Panics
+    ///
+    /// If `face` is above 5.
+    pub fn face_bytes(&self, face: usize) -> &[u8] {
+        let texels = self.texels.len() / 6;
+        bytemuck::cast_slice(&self.texels[face * texels..(face + 1) * texels])
+    }
+
     /// The 6·n·n texels as linear RGB and A = 1: layer by layer in the order +X −X +Y −Y +Z −Z, each
     /// row by row from the top.
     pub fn texels(&self) -> &[[f16; 4]] {

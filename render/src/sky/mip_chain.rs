@@ -39,6 +39,11 @@ impl Sky {
         &self.levels
     }
 
+    /// Number of levels of a sky with this many texels along the edge of a face of the first level.
+    pub fn level_count(face_texels: u32) -> u32 {
+        face_texels.max(1).ilog2() + 1
+    }
+
     /// Texels along the edge of a face of the first level, n.
     pub fn face_texels(&self) -> u32 {
         self.levels[0].face_texels()
@@ -134,6 +139,14 @@ mod tests {
             }
         }
         light / weight
+    }
+
+    #[test]
+    fn the_levels_are_as_many_as_announced() {
+        for face_texels in [1, 2, 3, 5, 8, 33] {
+            let sky = grid(face_texels);
+            assert_eq!(sky.levels().len() as u32, Sky::level_count(face_texels));
+        }
     }
 
     #[test]
