@@ -2,7 +2,7 @@
 
 use crate::plan::Plan;
 use crate::render_pass::begin;
-use crate::screenshot;
+use crate::screenshot::Screenshot;
 use lensbake_render::camera::MAX_SIDE;
 use lensbake_render::gpu::{
     Gpu, GpuError, Lap, Presenter, RealtimeRenderer, Renderer, SkyOnDevice, StarLight,
@@ -271,14 +271,11 @@ impl Stage {
         self.realtime.awaits_star_light()
     }
 
-    /// Draws a plan without the overlay and reads back what the window shows: `[height][width][3]`, 8-bit sRGB.
-    ///
-    /// # Errors
-    /// [`GpuError::Failed`] if the device does.
-    pub async fn screenshot(&mut self, plan: &Plan) -> Result<Vec<u8>, GpuError> {
+    /// Draws a plan without the overlay, to be read back.
+    pub fn screenshot(&mut self, plan: &Plan) -> Screenshot {
         let _untimed = self.draw_picture(plan);
         self.drawn = Some(plan.clone());
         let size = [plan.window.width, plan.window.height];
-        screenshot::take(&self.gpu, &self.presenter, self.config.format, size).await
+        Screenshot::submit(&self.gpu, &self.presenter, self.config.format, size)
     }
 }

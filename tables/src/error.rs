@@ -162,3 +162,18 @@ pub enum Problem {
     #[error("{0}")]
     Table(#[from] TableError),
 }
+
+#[cfg(feature = "files")]
+impl Problem {
+    /// Whether the file may be something other than a table, such as a picture.
+    pub fn is_no_table(&self) -> bool {
+        matches!(
+            self,
+            Problem::Io(_)
+                | Problem::NotATable
+                | Problem::TooLarge { .. }
+                | Problem::Missing(_)
+                | Problem::Exr(_)
+        )
+    }
+}

@@ -63,7 +63,24 @@ pub struct Gpu {
     adapter: Adapter,
     instance: Instance,
     info: AdapterInfo,
-    failure: Arc<Mutex<Option<String>>>,
+    failure: Arc<Mutex<Failure>>,
+}
+
+/// The first error of a device, and who waits for it.
+#[derive(Debug, Default)]
+struct Failure {
+    first: Option<String>,
+    waiting: Vec<oneshot::Sender<()>>,
+}
+
+impl Failure {
+    fn note(&mut self, text: &str) {
+        self.first.get_or_insert_with(|| one_line(text));
+        for waiting in self.waiting.drain(..) {
+            // The receiver may have been dropped.
+            let _ = waiting.send(());
+        }
+    }
 }
 
 impl Gpu {
@@ -130,12 +147,12 @@ impl Gpu {
                 adapter: info.name.clone(),
                 reason: e.to_string(),
             })?;
-        let failure = Arc::new(Mutex::new(None));
-        let note = |failure: &Arc<Mutex<Option<String>>>| {
+        let failure = Arc::new(Mutex::new(Failure::default()));
+        let note = |failure: &Arc<Mutex<Failure>>| {
             let failure = failure.clone();
             move |text: &str| {
-                if let Ok(mut first) = failure.lock() {
-                    first.get_or_insert_with(|| one_line(text));
+                if let Ok(mut failure) = failure.lock() {
+                    failure.note(text);
                 }
             }
         };
@@ -246,8 +263,33 @@ impl Gpu {
     }
 
     fn check(&self) -> Result<(), GpuError> {
-        let failure = self.failure.lock().ok().and_then(|first| first.clone());
-        failure.map_or(Ok(()), |reason| Err(self.failed(reason)))
+        let failure = self.failure.lock().ok();
+        let first = failure.and_then(|failure| failure.first.clone());
+        first.map_or(Ok(()), |reason| Err(self.failed(reason)))
+    }
+
+    /// Waits until the device fails or is lost, and returns the first error. Keeps the device open no longer than its
+    /// clones do; if all of them are dropped, it waits for ever.
+    pub fn failure(&self) -> impl Future<Output = GpuError> + use<> {
+        let (noted, waiting) = oneshot::channel();
+        if let Ok(mut failure) = self.failure.lock() {
+            match failure.first {
+                Some(_) => drop(noted.send(())),
+                None => failure.waiting.push(noted),
+            }
+        }
+        let (failure, adapter) = (Arc::downgrade(&self.failure), self.info.name.clone());
+        async move {
+            let noted = waiting.await.is_ok();
+            let reason = failure
+                .upgrade()
+                .filter(|_| noted)
+                .and_then(|failure| failure.lock().ok()?.first.clone());
+            match reason {
+                Some(reason) => GpuError::Failed { adapter, reason },
+                None => std::future::pending().await,
+            }
+        }
     }
 
     /// The contents of `buffer`, which must have [`BufferUsages::MAP_READ`].

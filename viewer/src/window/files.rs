@@ -2,7 +2,7 @@
 
 use super::event::AppEvent;
 use lensbake_render::sky::{self, SkySource};
-use lensbake_tables::{Problem, container};
+use lensbake_tables::container;
 use std::path::PathBuf;
 use winit::event_loop::EventLoopProxy;
 
@@ -19,17 +19,11 @@ fn open(path: PathBuf) -> AppEvent {
         Ok(table) => return AppEvent::Table(path, Box::new(table)),
         Err(error) => error,
     };
-    match error.problem {
-        Problem::Io(_)
-        | Problem::NotATable
-        | Problem::TooLarge { .. }
-        | Problem::Missing(_)
-        | Problem::Exr(_) => {
-            let source = SkySource::Panorama(path);
-            let sky = sky::load(&source).map(Box::new);
-            AppEvent::Sky(source, sky)
-        }
-        // A table, but a damaged one.
-        _ => AppEvent::Refused(error.to_string()),
+    if error.problem.is_no_table() {
+        let source = SkySource::Panorama(path);
+        let sky = sky::load(&source).map(Box::new);
+        return AppEvent::Sky(source, sky);
     }
+    // A table, but a damaged one.
+    AppEvent::Refused(error.to_string())
 }

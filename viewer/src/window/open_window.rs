@@ -202,9 +202,9 @@ impl OpenWindow {
         let Some(plan) = self.plan()? else {
             return Ok(());
         };
-        let pixels = block_on(self.session.stage.screenshot(&plan))?;
-        let size = [plan.window.width, plan.window.height];
-        match screenshot::write(size, &pixels) {
+        let screenshot = self.session.stage.screenshot(&plan);
+        let pixels = block_on(screenshot.read())?;
+        match screenshot::write(screenshot.size(), &pixels) {
             Ok(path) => {
                 self.panel.say(format!("wrote {}", path.display()));
             }
