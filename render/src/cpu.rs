@@ -10,7 +10,7 @@ use glam::{DVec3, Vec3};
 use lensbake_core::RayOutcome;
 use rayon::prelude::*;
 
-/// Draws `scene`. `row_done` is called after each row of pixels.
+/// Draws `scene`, with [`Sampling::Filtered`] if it is [`Sampling::Anisotropic`]. `row_done` is called after each row of pixels.
 ///
 /// ```
 /// use lensbake_render::camera::{Camera, View};
@@ -34,7 +34,9 @@ pub fn render(scene: &Scene, row_done: impl Fn() + Sync) -> Picture {
     let filtered = FilteredPixels::new(lens, scene.rendition);
     let pixels = by_pixel(camera, row_done, |column, row| match scene.sampling {
         Sampling::Single => single(scene, camera.direction(column, row)).to_array(),
-        Sampling::Filtered => filtered.light(sky, column, row).truncate().to_array(),
+        Sampling::Filtered | Sampling::Anisotropic => {
+            filtered.light(sky, column, row).truncate().to_array()
+        }
     });
     let mut picture = Picture::new(camera.width, camera.height, pixels);
     if let Some(field) = &scene.stars {

@@ -14,6 +14,16 @@ pub enum Sampling {
     Single,
     /// The mean light over its area, as a picture should show.
     Filtered,
+    /// The same with the anisotropic filter of the GPU in place of our own, which looks as good as that filter is. The
+    /// CPU has none and draws [`Sampling::Filtered`].
+    Anisotropic,
+}
+
+impl Sampling {
+    /// Whether a pixel shows the mean over its area.
+    pub fn averages(self) -> bool {
+        self != Sampling::Single
+    }
 }
 
 /// A scene. Its sky and stars are shared, so that a clone does not copy them; on a GPU they are

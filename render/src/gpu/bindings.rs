@@ -42,6 +42,20 @@ pub(super) fn bind_group<const N: usize>(
     })
 }
 
+/// The layout of a pipeline with bind groups of these layouts.
+pub(super) fn pipeline_layout(
+    device: &Device,
+    label: &str,
+    groups: &[&BindGroupLayout],
+) -> PipelineLayout {
+    let groups: Vec<_> = groups.iter().copied().map(Some).collect();
+    device.create_pipeline_layout(&PipelineLayoutDescriptor {
+        label: Some(label),
+        bind_group_layouts: &groups,
+        immediate_size: 0,
+    })
+}
+
 /// The binding of `size_of::<T>()` bytes of a buffer, which start at a dynamic offset.
 pub(super) fn block_of<T>(buffer: &Buffer) -> BindingResource<'_> {
     BindingResource::Buffer(BufferBinding {

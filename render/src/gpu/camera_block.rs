@@ -1,4 +1,4 @@
-//! The uniform blocks of a picture: its camera, and the region that a dispatch draws. Tests compare their layouts
+//! The uniform blocks of a picture: its camera, and the region that a pass draws. Tests compare their layouts
 //! with those that naga computes for `camera.wgsl` and `region.wgsl`.
 
 use crate::camera::Camera;
@@ -72,10 +72,11 @@ impl CameraBlock {
 pub(super) struct RegionBlock {
     pub first: [u32; 2],
     pub count: [u32; 2],
+    pub origin: [u32; 2],
     pub queues: u32,
     pub tiles: u32,
     pub gain: f32,
-    pub padding: u32,
+    pub padding: [u32; 3],
 }
 
 /// Bytes of the uniform blocks that a frame uploads: its camera and its region.
@@ -120,6 +121,7 @@ mod tests {
             RegionBlock,
             first,
             count,
+            origin,
             queues,
             tiles,
             gain,

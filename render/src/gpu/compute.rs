@@ -1,6 +1,6 @@
 //! Compute shaders and their pipelines.
 
-use super::bindings::bind_group_layout;
+use super::bindings::{bind_group_layout, pipeline_layout};
 use wgpu::*;
 
 /// A compute pipeline with all its bindings in group 0, and the layout of that group.
@@ -41,12 +41,7 @@ pub(super) fn pipeline(
     module: &ShaderModule,
 ) -> ComputePipeline {
     let label = Some(entry_point);
-    let groups: Vec<_> = groups.iter().copied().map(Some).collect();
-    let layout = device.create_pipeline_layout(&PipelineLayoutDescriptor {
-        label,
-        bind_group_layouts: &groups,
-        immediate_size: 0,
-    });
+    let layout = pipeline_layout(device, entry_point, groups);
     device.create_compute_pipeline(&ComputePipelineDescriptor {
         label,
         layout: Some(&layout),

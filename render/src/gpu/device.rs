@@ -90,7 +90,18 @@ impl Gpu {
     /// [`GpuError::Backend`] if `WGPU_BACKEND` names an unknown or unavailable backend, [`GpuError::NoAdapter`] if
     /// there is no adapter, [`GpuError::NoDevice`] if it cannot be opened.
     pub async fn open() -> Result<Self, GpuError> {
-        Self::on_adapter(new_instance()?, None).await
+        let instance = new_instance(backend::asked_for()?).await;
+        Self::on_adapter(instance, None, Needs::Most).await
+    }
+
+    /// Opens the same adapter as [`Gpu::open`] with no more than WebGL2 offers: without compute shaders, storage
+    /// buffers, storage textures or features. It shows on any device what is drawn on such a one.
+    ///
+    /// # Errors
+    /// As [`Gpu::open`].
+    pub async fn open_without_compute() -> Result<Self, GpuError> {
+        let instance = new_instance(backend::asked_for()?).await;
+        Self::on_adapter(instance, None, Needs::WebGl2).await
     }
 
     /// Checks that `WGPU_BACKEND` is unset or names available backends. Opens no device.
@@ -101,24 +112,39 @@ impl Gpu {
         backend::asked_for().map(|_| ())
     }
 
-    /// Opens the fastest adapter that can draw to `window`, and creates a surface for the window.
+    /// Opens the fastest adapter that can draw to `window`, and creates a surface for the window. In a browser this is
+    /// WebGPU if it has an adapter, and WebGL2 otherwise.
     ///
     /// # Errors
     /// As [`Gpu::open`], and [`GpuError::NoSurface`] if no surface can be created.
     pub async fn open_for(
         window: impl Into<SurfaceTarget<'static>>,
     ) -> Result<(Self, Surface<'static>), GpuError> {
-        let instance = new_instance()?;
+        Self::open_for_backends(window, backend::asked_for()?).await
+    }
+
+    /// As [`Gpu::open_for`], on one of these backends only: for example [`Backends::GL`] for WebGL2 in a browser that
+    /// has WebGPU as well. `WGPU_BACKEND` is ignored.
+    ///
+    /// # Errors
+    /// [`GpuError::NoAdapter`] if there is no adapter, [`GpuError::NoDevice`] if it cannot be opened,
+    /// [`GpuError::NoSurface`] if no surface can be created.
+    pub async fn open_for_backends(
+        window: impl Into<SurfaceTarget<'static>>,
+        backends: Backends,
+    ) -> Result<(Self, Surface<'static>), GpuError> {
+        let instance = new_instance(backends).await;
         let surface = instance
             .create_surface(window)
             .map_err(|e| GpuError::NoSurface(one_line(&e.to_string())))?;
-        let gpu = Self::on_adapter(instance, Some(&surface)).await?;
+        let gpu = Self::on_adapter(instance, Some(&surface), Needs::Most).await?;
         Ok((gpu, surface))
     }
 
     async fn on_adapter(
         instance: Instance,
         surface: Option<&Surface<'_>>,
+        needs: Needs,
     ) -> Result<Self, GpuError> {
         let options = RequestAdapterOptions {
             power_preference: PowerPreference::HighPerformance,
@@ -132,14 +158,8 @@ impl Gpu {
         let info = adapter.get_info();
         let (device, queue) = adapter
             .request_device(&DeviceDescriptor {
-                // For timing frames and for rows of 16-bit integers, if the adapter can.
-                required_features: adapter.features()
-                    & (Features::TIMESTAMP_QUERY | Features::TEXTURE_FORMAT_16BIT_NORM),
-                // A window may be as large as the adapter's largest texture.
-                required_limits: Limits {
-                    max_texture_dimension_2d: adapter.limits().max_texture_dimension_2d,
-                    ..Limits::default()
-                },
+                required_features: needs.features(&adapter),
+                required_limits: needs.limits(&adapter),
                 ..Default::default()
             })
             .await
@@ -196,6 +216,17 @@ impl Gpu {
         format!("{} ({})", self.info.name, self.info.backend)
     }
 
+    /// The adapter's backend.
+    pub fn backend(&self) -> Backends {
+        self.info.backend.into()
+    }
+
+    /// Whether the device has compute shaders and what they write: storage buffers and storage textures. WebGL2 has
+    /// none.
+    pub fn has_compute(&self) -> bool {
+        has_compute(&self.device.limits())
+    }
+
     /// Whether the adapter is a software adapter, which runs on the CPU.
     pub fn is_software(&self) -> bool {
         self.info.device_type == DeviceType::Cpu
@@ -226,11 +257,15 @@ impl Gpu {
         first.map_or(Ok(done), |error| Err(self.failed(error)))
     }
 
-    /// Waits until all submitted work is done.
+    /// Waits until all submitted work is done. With WebGL2 it does not wait: there, nothing is done until the browser
+    /// is given back control, and what is submitted later comes later in any case.
     ///
     /// # Errors
     /// [`GpuError::Failed`] with the first error since the device was opened.
     pub async fn wait(&self) -> Result<(), GpuError> {
+        if self.is_webgl() {
+            return self.poll();
+        }
         let (done, waiting) = oneshot::channel();
         self.queue.on_submitted_work_done(move || {
             // The receiver may have been dropped.
@@ -241,8 +276,8 @@ impl Gpu {
         self.check()
     }
 
-    /// Runs the callbacks of finished work. A browser does so by itself; elsewhere this must be called, and it
-    /// blocks until all submitted work is done.
+    /// Runs the callbacks of finished work. WebGPU in a browser does so by itself; elsewhere this must be called, and it
+    /// blocks until all submitted work is done. With WebGL2 nothing can block.
     fn drive(&self) -> Result<(), GpuError> {
         if cfg!(target_arch = "wasm32") {
             return Ok(());
@@ -252,7 +287,8 @@ impl Gpu {
         polled.map(|_| ()).map_err(|e| self.failed(e))
     }
 
-    /// Runs the callbacks of finished work, without waiting.
+    /// Runs the callbacks of finished work, without waiting. With WebGL2 this must be called in each frame while
+    /// something is read back.
     ///
     /// # Errors
     /// [`GpuError::Failed`] with the first error since the device was opened.
@@ -260,6 +296,10 @@ impl Gpu {
         let polled = self.device.poll(PollType::Poll);
         self.check()?;
         polled.map(|_| ()).map_err(|e| self.failed(e))
+    }
+
+    fn is_webgl(&self) -> bool {
+        cfg!(target_arch = "wasm32") && self.backend() == Backends::GL
     }
 
     fn check(&self) -> Result<(), GpuError> {
@@ -292,7 +332,8 @@ impl Gpu {
         }
     }
 
-    /// The contents of `buffer`, which must have [`BufferUsages::MAP_READ`].
+    /// The contents of `buffer`, which must have [`BufferUsages::MAP_READ`]. With WebGL2 they arrive when [`Gpu::poll`] is
+    /// called in a later frame.
     ///
     /// # Errors
     /// [`GpuError::Failed`] if the device fails.
@@ -345,15 +386,59 @@ impl Gpu {
     }
 }
 
-fn new_instance() -> Result<Instance, GpuError> {
+/// What is asked of an adapter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Needs {
+    /// Whatever of it the renderer can use.
+    Most,
+    /// What WebGL2 has.
+    WebGl2,
+}
+
+impl Needs {
+    fn features(self, adapter: &Adapter) -> Features {
+        match self {
+            // For timing frames and for rows of 16-bit integers, if the adapter can.
+            Needs::Most => {
+                adapter.features()
+                    & (Features::TIMESTAMP_QUERY | Features::TEXTURE_FORMAT_16BIT_NORM)
+            }
+            Needs::WebGl2 => Features::empty(),
+        }
+    }
+
+    /// Limits that the adapter meets. A window may be as large as its largest texture.
+    fn limits(self, adapter: &Adapter) -> Limits {
+        let has = adapter.limits();
+        let asked = if self == Needs::Most && has_compute(&has) {
+            Limits {
+                max_texture_dimension_2d: has.max_texture_dimension_2d,
+                ..Limits::default()
+            }
+        } else {
+            Limits::downlevel_webgl2_defaults().using_resolution(has.clone())
+        };
+        asked.or_worse_values_from(&has)
+    }
+}
+
+fn has_compute(limits: &Limits) -> bool {
+    limits.max_compute_workgroups_per_dimension > 0
+        && limits.max_storage_buffers_per_shader_stage > 0
+        && limits.max_storage_textures_per_shader_stage > 0
+}
+
+async fn new_instance(backends: Backends) -> Instance {
     let mut descriptor = InstanceDescriptor::new_without_display_handle_from_env();
-    descriptor.backends = backend::asked_for()?;
+    descriptor.backends = backends;
     // This validation adds a dispatch before each indirect one, to check counts that our own shader has written.
     // It costs a filtered frame a tenth of its time on a software adapter.
     descriptor
         .flags
         .remove(InstanceFlags::VALIDATION_INDIRECT_CALL);
-    Ok(Instance::new(descriptor))
+    // A canvas that has been used by WebGPU cannot be used by WebGL2 afterwards, so WebGPU is left out unless it has
+    // an adapter.
+    util::new_instance_with_webgpu_detection(descriptor).await
 }
 
 fn one_line(text: &str) -> String {

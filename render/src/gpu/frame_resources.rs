@@ -2,20 +2,22 @@
 //! picture. The next scene is written into the same resources; they are created anew only for another size of
 //! picture or another shape of row.
 
-use super::bindings::{bind_group, block_of, uniform_buffer};
+use super::bindings::uniform_buffer;
 use super::camera_block::{CameraBlock, RegionBlock};
-use super::layouts::TEXTURE_FORMAT;
-use super::pipelines::{Pipelines, Program};
+use super::compute_pass::ComputeResources;
+use super::fragment_pass::{FragmentRegion, FragmentResources};
+use super::layouts::Layouts;
+use super::pass::Pass;
+use super::pipelines::{Pipelines, Program, ProgramKind};
 use super::renderer::Renderer;
 use super::row_texture::RowTexture;
-use super::source::Store;
 use super::stars::{StarLight, StarLists, StarsOnDevice};
-use super::texture::texture;
-use super::tile_queues::{self, ClassifierInputs, WorkQueues};
+use super::target::Target;
+use super::tile_queues::{self, PassInputs};
+use super::timestamps::PassTimestamps;
 use super::{Gpu, GpuError, Region, SkyOnDevice};
 use crate::lens::Lens;
 use crate::scene::Sampling;
-use crate::shaders::TILE;
 use crate::shadow::Shadow;
 use crate::shift::Rendition;
 use lensbake_tables::lookup::{HorizonSide, RowShape};
@@ -23,37 +25,10 @@ use lensbake_tables::{Interpolation, RowFormat};
 use std::sync::Arc;
 use wgpu::*;
 
-/// Bytes of a pixel in a [`Store::Buffer`].
-const PIXEL: u64 = size_of::<[f32; 4]>() as u64;
-
-/// What a picture is written to.
-#[derive(Debug)]
-pub(super) enum Target {
-    /// Each region in turn, `[rows][columns][4]` of f32.
-    Buffer(Buffer),
-    /// The whole picture.
-    Texture(TextureView),
-}
-
-impl Target {
-    fn binding(&self) -> BindingResource<'_> {
-        match self {
-            Target::Buffer(buffer) => buffer.as_entire_binding(),
-            Target::Texture(view) => BindingResource::TextureView(view),
-        }
-    }
-
-    fn store(&self) -> Store {
-        match self {
-            Target::Buffer(_) => Store::Buffer,
-            Target::Texture(_) => Store::Texture,
-        }
-    }
-}
-
 /// The resources of pictures of one size.
 #[derive(Debug)]
 pub(super) struct FrameResources {
+    pass: Pass,
     gpu: Gpu,
     pipelines: Arc<Pipelines>,
     target: Target,
@@ -64,33 +39,20 @@ pub(super) struct FrameResources {
     /// The blocks in that buffer.
     uploaded_regions: Vec<RegionBlock>,
     region_stride: u64,
-    queues: WorkQueues,
-    bind_group: BindGroup,
+    drawing: Drawing,
     stars: Option<StarLists>,
 }
 
+/// What the programs of either kind of pass draw with.
+#[derive(Debug)]
+enum Drawing {
+    Compute(ComputeResources),
+    Fragment(FragmentResources),
+}
+
 impl FrameResources {
-    /// Resources for pictures in a texture of `size` pixels.
-    pub(super) fn on_texture(renderer: &Renderer, size: [u32; 2]) -> Self {
-        let usage = TextureUsages::STORAGE_BINDING | TextureUsages::TEXTURE_BINDING;
-        let device = &renderer.gpu().device;
-        let texture = texture(device, "picture", size, TEXTURE_FORMAT, usage);
-        let view = texture.create_view(&Default::default());
-        FrameResources::new(renderer, Target::Texture(view))
-    }
-
-    /// Resources for pictures whose regions of at most `pixels` pixels are all written to the same buffer.
-    pub(super) fn on_buffer(renderer: &Renderer, pixels: u64) -> Self {
-        let buffer = renderer.gpu().device.create_buffer(&BufferDescriptor {
-            label: Some("pixels"),
-            size: pixels * PIXEL,
-            usage: BufferUsages::STORAGE | BufferUsages::COPY_SRC,
-            mapped_at_creation: false,
-        });
-        FrameResources::new(renderer, Target::Buffer(buffer))
-    }
-
-    fn new(renderer: &Renderer, target: Target) -> Self {
+    /// Resources for pictures that are drawn to `target`, in the kind of pass of the renderer.
+    pub(super) fn new(renderer: &Renderer, target: Target) -> Self {
         let gpu = renderer.gpu().clone();
         let pipelines = renderer.pipelines().clone();
         let device = &gpu.device;
@@ -108,14 +70,16 @@ impl FrameResources {
                 format: RowFormat::Float32,
             },
         );
-        let inputs = ClassifierInputs {
+        let inputs = PassInputs {
             camera: &camera,
             regions: &region_blocks,
             row: row.view(),
         };
-        let queues = WorkQueues::new(device, &pipelines.layouts, &inputs, &[]);
-        let bind_group = draw_group(device, &pipelines, &inputs, &target, &queues);
+        let pass = renderer.pass();
+        let layouts = &pipelines.layouts;
+        let drawing = drawing(pass, device, layouts, &inputs, &target, &[]);
         FrameResources {
+            pass,
             gpu,
             pipelines,
             target,
@@ -125,8 +89,7 @@ impl FrameResources {
             region_blocks,
             uploaded_regions: Vec::new(),
             region_stride,
-            queues,
-            bind_group,
+            drawing,
             stars: None,
         }
     }
@@ -142,8 +105,11 @@ impl FrameResources {
     }
 
     #[cfg(test)]
-    pub(super) fn work_queues(&self) -> &WorkQueues {
-        &self.queues
+    pub(super) fn work_queues(&self) -> Option<&tile_queues::WorkQueues> {
+        match &self.drawing {
+            Drawing::Compute(compute) => Some(compute.queues()),
+            Drawing::Fragment(_) => None,
+        }
     }
 
     /// Sets what the next dispatches draw: the view through `lens`, in these regions. The row is uploaded only if
@@ -167,10 +133,11 @@ impl FrameResources {
             let block = RegionBlock {
                 first: region.first,
                 count: region.count,
+                origin: self.target.origin_of(region),
                 queues,
                 tiles,
                 gain,
-                padding: 0,
+                padding: [0; 3],
             };
             // They rarely change from frame to frame.
             if self.uploaded_regions.get(i) == Some(&block) {
@@ -189,13 +156,7 @@ impl FrameResources {
     pub(super) fn show_stars(&mut self, lens: &Lens, stars: &StarsOnDevice, rendition: Rendition) {
         if self.stars.as_ref().is_none_or(|lists| !lists.are_of(stars)) {
             let size = [lens.camera.width, lens.camera.height];
-            let size = match &self.target {
-                Target::Buffer(_) => size,
-                Target::Texture(view) => {
-                    let texture = view.texture();
-                    [texture.width(), texture.height()]
-                }
-            };
+            let size = self.target.room().unwrap_or(size);
             let programs = self.pipelines.stars();
             let layouts = &self.pipelines.layouts;
             self.stars = Some(StarLists::new(&self.gpu, layouts, programs, stars, size));
@@ -235,46 +196,47 @@ impl FrameResources {
         sky: Option<&SkyOnDevice>,
         program: &Program,
         index: usize,
-        timestamps: Option<ComputePassTimestampWrites>,
+        timestamps: Option<PassTimestamps>,
     ) {
         let stars = self.stars.as_ref().filter(|_| program.key.stars);
         let lists = stars.filter(|_| index == 0);
+        let label = program.key.name();
+        let sky = sky.map(|sky| (sky, program.key.sampling()));
+        let region = self.regions[index];
+        let offset = (index as u64 * self.region_stride) as u32;
         if let Some(lists) = lists {
             lists.clear(encoder);
         }
-        if program.classifier.is_some() {
-            self.queues.clear(encoder, index);
-        }
-        let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor {
-            label: Some(program.key.name()),
-            timestamp_writes: timestamps,
-        });
-        let offset = (index as u64 * self.region_stride) as u32;
-        if let Some(lists) = lists {
-            lists.make(&mut pass);
-        }
-        let region = self.regions[index];
-        if let (Some(classifier), Some(sky)) = (&program.classifier, sky) {
-            self.queues
-                .classify(&mut pass, classifier, &sky.bind_group, region, offset);
-        }
-        pass.set_bind_group(0, &self.bind_group, &[offset]);
-        if let Some(sky) = sky {
-            pass.set_bind_group(1, &sky.bind_group, &[]);
-        }
-        if let Some(stars) = stars {
-            pass.set_bind_group(2, stars.reading(), &[]);
-        }
-        for (queue, pipeline) in program.pipelines.iter().enumerate() {
-            pass.set_pipeline(pipeline);
-            if program.classifier.is_some() {
-                self.queues.draw(&mut pass, index, queue);
-            } else {
-                let [across, down] = region.count.map(|n| n.div_ceil(TILE));
-                pass.dispatch_workgroups(across, down, 1);
+        match (&self.drawing, &program.kind) {
+            (Drawing::Compute(resources), ProgramKind::Compute(program)) => {
+                resources.clear(encoder, program, index);
+                let mut pass = begin_compute(encoder, label, timestamps);
+                if let Some(lists) = lists {
+                    lists.make(&mut pass);
+                }
+                let reading = stars.map(StarLists::reading);
+                let drawn = (index, region, offset);
+                resources.draw(&mut pass, program, sky, reading, drawn);
             }
+            (Drawing::Fragment(resources), ProgramKind::Fragment(pipeline)) => {
+                let mut timestamps = timestamps;
+                if let Some(lists) = lists {
+                    let (begins, ends) = timestamps.map_or((None, None), PassTimestamps::split);
+                    lists.make(&mut begin_compute(encoder, "star lists", begins));
+                    timestamps = ends;
+                }
+                let drawn = FragmentRegion {
+                    target: &self.target,
+                    region,
+                    offset,
+                    first: index == 0,
+                };
+                let reading = stars.map(StarLists::reading);
+                let program = (label, pipeline);
+                resources.draw(encoder, program, sky, reading, drawn, timestamps);
+            }
+            _ => unreachable!("a renderer's programs and resources are of its kind of pass"),
         }
-        drop(pass);
         if let Some(lists) = lists {
             lists.report(encoder);
         }
@@ -285,8 +247,11 @@ impl FrameResources {
     /// than ever before.
     fn make_room(&mut self, row: RowShape, sampling: Sampling) {
         let blocks = self.regions.len() as u64 * self.region_stride;
-        let queued = sampling == Sampling::Filtered;
-        let holds = !queued || self.queues.holds(&self.regions);
+        let queued = match &self.drawing {
+            Drawing::Compute(compute) if sampling.averages() => Some(compute.queues()),
+            Drawing::Compute(_) | Drawing::Fragment(_) => None,
+        };
+        let holds = queued.is_none_or(|queues| queues.holds(&self.regions));
         if row == self.row.shape() && blocks <= self.region_blocks.size() && holds {
             return;
         }
@@ -298,31 +263,48 @@ impl FrameResources {
             self.region_blocks = uniform_buffer(device, "regions", blocks);
             self.uploaded_regions.clear();
         }
-        let inputs = ClassifierInputs {
+        let regions = if queued.is_some() {
+            &self.regions[..]
+        } else {
+            &[]
+        };
+        let inputs = PassInputs {
             camera: &self.camera,
             regions: &self.region_blocks,
             row: self.row.view(),
         };
-        let regions = if queued { &self.regions[..] } else { &[] };
-        self.queues = WorkQueues::new(device, &self.pipelines.layouts, &inputs, regions);
-        self.bind_group = draw_group(device, &self.pipelines, &inputs, &self.target, &self.queues);
+        let layouts = &self.pipelines.layouts;
+        self.drawing = drawing(self.pass, device, layouts, &inputs, &self.target, regions);
     }
 }
 
-fn draw_group(
+/// What the programs of a kind of pass draw with, with work queues for `regions`.
+fn drawing(
+    pass: Pass,
     device: &Device,
-    pipelines: &Pipelines,
-    inputs: &ClassifierInputs,
+    layouts: &Layouts,
+    inputs: &PassInputs,
     target: &Target,
-    queues: &WorkQueues,
-) -> BindGroup {
-    let resources = [
-        inputs.camera.as_entire_binding(),
-        block_of::<RegionBlock>(inputs.regions),
-        BindingResource::TextureView(inputs.row),
-        target.binding(),
-        queues.tiles().as_entire_binding(),
-    ];
-    let layout = pipelines.layouts.draw(target.store());
-    bind_group(device, "draw", layout, resources)
+    regions: &[Region],
+) -> Drawing {
+    match pass {
+        Pass::Compute => {
+            let layouts = layouts.compute();
+            Drawing::Compute(ComputeResources::new(
+                device, layouts, inputs, target, regions,
+            ))
+        }
+        Pass::Fragment => Drawing::Fragment(FragmentResources::new(device, layouts, inputs)),
+    }
+}
+
+fn begin_compute<'a>(
+    encoder: &'a mut CommandEncoder,
+    label: &str,
+    timestamps: Option<PassTimestamps>,
+) -> ComputePass<'a> {
+    encoder.begin_compute_pass(&ComputePassDescriptor {
+        label: Some(label),
+        timestamp_writes: timestamps.map(PassTimestamps::of_compute_pass),
+    })
 }

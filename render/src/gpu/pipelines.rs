@@ -1,8 +1,11 @@
 //! The pipelines of a device. Each is compiled when its key is first requested, and then cached.
 
+use super::Gpu;
 use super::compute::{module, pipeline};
-use super::layouts::Layouts;
-use super::source::PipelineKey;
+use super::layouts::{BAND_FORMAT, Layouts, TEXTURE_FORMAT};
+use super::pass::Pass;
+use super::render_pipeline::{FullScreen, full_screen_pipeline};
+use super::source::{PipelineKey, Store};
 use super::stars::StarPrograms;
 use super::tile_queues::TileClassifier;
 use std::collections::HashMap;
@@ -13,6 +16,19 @@ use wgpu::*;
 #[derive(Debug)]
 pub(super) struct Program {
     pub(super) key: PipelineKey,
+    pub(super) kind: ProgramKind,
+}
+
+/// The pipelines by the kind of pass.
+#[derive(Debug)]
+pub(super) enum ProgramKind {
+    Compute(ComputeProgram),
+    Fragment(RenderPipeline),
+}
+
+/// The pipelines of a compute pass.
+#[derive(Debug)]
+pub(super) struct ComputeProgram {
     /// One pipeline for all pixels, or one for each tile class.
     pub(super) pipelines: Vec<ComputePipeline>,
     /// Classifies the tiles, if there are tile classes.
@@ -35,10 +51,10 @@ struct Cache {
 }
 
 impl Pipelines {
-    pub(super) fn new(device: &Device) -> Self {
+    pub(super) fn new(gpu: &Gpu) -> Self {
         Pipelines {
-            layouts: Layouts::new(device),
-            device: device.clone(),
+            layouts: Layouts::new(gpu),
+            device: gpu.device.clone(),
             cache: Mutex::default(),
         }
     }
@@ -67,17 +83,37 @@ impl Pipelines {
 
     fn compile(&self, key: PipelineKey, classifier: Option<Arc<TileClassifier>>) -> Program {
         let layouts = &self.layouts;
-        let mut groups = vec![layouts.draw(key.store)];
+        let mut groups = vec![match key.pass {
+            Pass::Compute => layouts.compute().draw(key.store),
+            Pass::Fragment => &layouts.fragment,
+        }];
         groups.extend(key.reads_sky().then_some(&layouts.sky));
-        groups.extend(key.stars.then_some(&layouts.star_lists));
+        groups.extend(key.stars.then(|| &layouts.compute().star_lists));
         let module = module(&self.device, key.name(), key.source());
-        let entry_points = key.entry_points().iter();
-        Program {
-            key,
-            pipelines: entry_points
-                .map(|entry_point| pipeline(&self.device, entry_point, &groups, &module))
-                .collect(),
-            classifier,
-        }
+        let kind = match key.pass {
+            Pass::Compute => ProgramKind::Compute(ComputeProgram {
+                pipelines: key
+                    .entry_points()
+                    .iter()
+                    .map(|entry_point| pipeline(&self.device, entry_point, &groups, &module))
+                    .collect(),
+                classifier,
+            }),
+            Pass::Fragment => ProgramKind::Fragment(full_screen_pipeline(
+                &self.device,
+                FullScreen {
+                    label: key.name(),
+                    groups: &groups,
+                    module: &module,
+                    entry_point: "draw",
+                    constants: &[],
+                    format: match key.store {
+                        Store::Buffer => BAND_FORMAT,
+                        Store::Texture => TEXTURE_FORMAT,
+                    },
+                },
+            )),
+        };
+        Program { key, kind }
     }
 }

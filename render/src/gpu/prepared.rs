@@ -1,10 +1,12 @@
 //! A picture or a trace prepared on a GPU, to be drawn and read back in bands of rows.
 
-use super::frame_resources::{FrameResources, Target};
+use super::frame_resources::FrameResources;
 use super::pipelines::Program;
 use super::region::dispatch_pixels;
 use super::renderer::Renderer;
 use super::source::{Output, PipelineKey, Store};
+use super::target::Target;
+use super::timestamps::PassTimestamps;
 use super::{GpuError, Passes, Region, ResidentScene, SkyOnDevice};
 use crate::lens::Lens;
 use crate::scene::Sampling;
@@ -28,19 +30,15 @@ impl Prepared {
     pub(super) fn picture(renderer: &Renderer, scene: &ResidentScene) -> Self {
         let lens = &scene.lens;
         let output = Output::Picture(scene.sampling);
-        let key = PipelineKey::of(
-            lens,
-            output,
-            Store::Buffer,
-            scene.stars.is_some(),
-            scene.rendition.shift,
-        );
+        let stars = scene.stars.as_ref().filter(|_| renderer.draws_stars());
+        let shift = scene.rendition.shift;
+        let key = PipelineKey::of(lens, output, Store::Buffer, stars.is_some(), shift);
         let mut prepared = Prepared {
             program: renderer.program(key),
             sky: Some(scene.sky.clone()),
             resources: resources(renderer, lens, scene.sampling, scene.rendition),
         };
-        if let Some(stars) = &scene.stars {
+        if let Some(stars) = stars {
             prepared.resources.show_stars(lens, stars, scene.rendition);
         }
         prepared
@@ -66,12 +64,9 @@ impl Prepared {
         self.resources.regions()
     }
 
-    /// The buffer that every band in turn writes its pixels to, `[rows][width][4]` of f32.
-    pub(super) fn pixels(&self) -> &Buffer {
-        match self.resources.target() {
-            Target::Buffer(buffer) => buffer,
-            Target::Texture(_) => unreachable!("made on a buffer"),
-        }
+    /// What every band in turn is drawn to.
+    pub(super) fn target(&self) -> &Target {
+        self.resources.target()
     }
 
     /// As [`FrameResources::check_stars`], to be called after the first band is drawn.
@@ -89,8 +84,8 @@ fn resources(
     let size = [lens.camera.width, lens.camera.height];
     let most = BUFFERED.min(dispatch_pixels(lens.deflection));
     let rows = (most / size[0]).clamp(1, size[1]);
-    let pixels = u64::from(rows) * u64::from(size[0]);
-    let mut resources = FrameResources::on_buffer(renderer, pixels);
+    let target = Target::regions(renderer, [size[0], rows]);
+    let mut resources = FrameResources::new(renderer, target);
     resources.show(
         lens,
         sampling,
@@ -110,7 +105,7 @@ impl Passes for Prepared {
         &self,
         encoder: &mut CommandEncoder,
         pass: usize,
-        timestamps: Option<ComputePassTimestampWrites>,
+        timestamps: Option<PassTimestamps>,
     ) {
         let (sky, program) = (self.sky.as_ref(), &self.program);
         self.resources

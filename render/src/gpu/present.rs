@@ -3,6 +3,8 @@
 use super::bindings::{
     bind_group, bind_group_layout, texture_binding, uniform_binding, uniform_buffer,
 };
+use super::compute::module;
+use super::render_pipeline::{FullScreen, full_screen_pipeline};
 use super::{CameraBlock, Gpu, RealtimeRenderer};
 use crate::camera::Camera;
 use crate::shaders::Modules;
@@ -152,42 +154,18 @@ fn pipelines(
     layout: &BindGroupLayout,
     format: TextureFormat,
 ) -> [RenderPipeline; Fit::ALL.len()] {
-    let module = device.create_shader_module(ShaderModuleDescriptor {
-        label: Some("present"),
-        source: ShaderSource::Wgsl(source().into()),
-    });
-    let layout = device.create_pipeline_layout(&PipelineLayoutDescriptor {
-        label: Some("present"),
-        bind_group_layouts: &[Some(layout)],
-        immediate_size: 0,
-    });
+    let module = module(device, "present", source());
     let encode = f64::from(u8::from(!format.is_srgb()));
     Fit::ALL.map(|fit| {
-        let constants = [("FIT", f64::from(fit as u32)), ("ENCODE", encode)];
-        device.create_render_pipeline(&RenderPipelineDescriptor {
-            label: Some("present"),
-            layout: Some(&layout),
-            vertex: VertexState {
-                module: &module,
-                entry_point: Some("corner"),
-                compilation_options: Default::default(),
-                buffers: &[],
-            },
-            fragment: Some(FragmentState {
-                module: &module,
-                entry_point: Some("shade"),
-                compilation_options: PipelineCompilationOptions {
-                    constants: &constants,
-                    ..Default::default()
-                },
-                targets: &[Some(format.into())],
-            }),
-            primitive: Default::default(),
-            depth_stencil: None,
-            multisample: Default::default(),
-            multiview_mask: None,
-            cache: None,
-        })
+        let pipeline = FullScreen {
+            label: "present",
+            groups: &[layout],
+            module: &module,
+            entry_point: "shade",
+            constants: &[("FIT", f64::from(fit as u32)), ("ENCODE", encode)],
+            format,
+        };
+        full_screen_pipeline(device, pipeline)
     })
 }
 
@@ -216,13 +194,19 @@ fn present_group(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::source::tests::validate;
+    use crate::gpu::source::tests::{assert_webgl2, validate};
     use crate::shaders::layouts::assert_layout;
 
     #[test]
-    fn the_shader_is_valid_and_lays_its_block_out_as_here() {
+    fn the_shader_is_valid_for_webgl2_too_and_lays_its_block_out_as_here() {
         let source = source();
-        validate(&source, &["corner", "shade"]);
+        validate(&source, &["shade", "corner"]);
+        for fit in Fit::ALL {
+            for encode in [0.0, 1.0] {
+                let constants = [("FIT", f64::from(fit as u32)), ("ENCODE", encode)];
+                assert_webgl2(&source, &["shade", "corner"], &constants);
+            }
+        }
         assert_layout!(&source, "Present", Present, picture, divider, exposure);
     }
 }

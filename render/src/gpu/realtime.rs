@@ -1,10 +1,12 @@
 //! The realtime renderer: draws frames one after the other, for a window or a benchmark. A frame uploads what has
 //! changed and dispatches what the picture needs.
 
-use super::frame_resources::{FrameResources, Target};
+use super::frame_resources::FrameResources;
 use super::pipelines::Program;
 use super::region::dispatch_pixels;
 use super::source::{MotionKey, Output, PipelineKey, Store};
+use super::target::Target;
+use super::timestamps::PassTimestamps;
 use super::{Passes, Region, Renderer, ResidentScene, SkyOnDevice, StarLight};
 use crate::lens::Deflection;
 use crate::scene::Sampling;
@@ -50,7 +52,7 @@ impl RealtimeRenderer {
     /// Frames of at most `room` pixels (width and height), drawn by `renderer`.
     pub fn new(renderer: Renderer, room: [u32; 2]) -> Self {
         RealtimeRenderer {
-            resources: FrameResources::on_texture(&renderer, room),
+            resources: FrameResources::new(&renderer, Target::texture(&renderer, room)),
             room,
             sky: None,
             programs: Vec::new(),
@@ -72,7 +74,8 @@ impl RealtimeRenderer {
     pub fn set_room(&mut self, room: [u32; 2]) {
         if room != self.room {
             self.room = room;
-            self.resources = FrameResources::on_texture(&self.renderer, room);
+            self.resources =
+                FrameResources::new(&self.renderer, Target::texture(&self.renderer, room));
             self.programs.clear();
         }
     }
@@ -92,10 +95,7 @@ impl RealtimeRenderer {
     /// The texture that the frames are drawn to, of [`RealtimeRenderer::room`] pixels. A smaller frame fills its
     /// upper left corner.
     pub fn texture(&self) -> &TextureView {
-        match self.resources.target() {
-            Target::Texture(view) => view,
-            Target::Buffer(_) => unreachable!("made on a texture"),
-        }
+        self.resources.target().view()
     }
 
     /// Sets what the next frame draws. This is all the CPU work of a frame besides submitting it. [`FrameContent::Split`]
@@ -127,6 +127,8 @@ impl RealtimeRenderer {
                 (parts, 1.0)
             }
         };
+        let stars = scene.stars.as_ref();
+        let stars = stars.filter(|_| self.renderer.draws_stars());
         let mut regions = Vec::new();
         self.programs.clear();
         for (kind, part) in parts.into_iter().filter(|(_, part)| part.count[0] > 0) {
@@ -140,7 +142,7 @@ impl RealtimeRenderer {
                 output,
                 Store::Texture,
                 row,
-                scene.stars.is_some(),
+                stars.is_some(),
                 motion,
                 scene.rendition.shift,
             );
@@ -156,7 +158,7 @@ impl RealtimeRenderer {
         };
         self.resources
             .show(lens, sampling, scene.rendition, regions.into_iter(), gain);
-        if let Some(stars) = &scene.stars {
+        if let Some(stars) = stars {
             self.resources.show_stars(lens, stars, scene.rendition);
         }
         self.sky = Some(scene.sky.clone());
@@ -172,7 +174,7 @@ impl Passes for RealtimeRenderer {
         &self,
         encoder: &mut CommandEncoder,
         pass: usize,
-        timestamps: Option<ComputePassTimestampWrites>,
+        timestamps: Option<PassTimestamps>,
     ) {
         let (sky, program) = (self.sky.as_ref(), &self.programs[pass]);
         self.resources

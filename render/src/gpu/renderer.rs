@@ -1,5 +1,6 @@
 //! Draws scenes on a GPU.
 
+use super::pass::Pass;
 use super::pipelines::{Pipelines, Program};
 use super::source::PipelineKey;
 use super::stars::StarsOnDevice;
@@ -22,6 +23,7 @@ pub type Trace = Vec<RayOutcome<DVec3>>;
 #[derive(Debug, Clone)]
 pub struct Renderer {
     gpu: Gpu,
+    pass: Pass,
     pipelines: Arc<Pipelines>,
     uploaded: Arc<Mutex<Uploaded>>,
 }
@@ -34,13 +36,41 @@ struct Uploaded {
 }
 
 impl Renderer {
-    /// A renderer on `gpu`.
+    /// A renderer on `gpu`, which draws in [`Pass::default_on`].
     pub fn new(gpu: &Gpu) -> Self {
+        Self::with_pass(gpu, Pass::default_on(gpu))
+    }
+
+    /// A renderer on `gpu` that draws in `pass`; in [`Pass::Fragment`] on a device without compute shaders.
+    pub fn with_pass(gpu: &Gpu, pass: Pass) -> Self {
         Renderer {
-            pipelines: Arc::new(Pipelines::new(&gpu.device)),
+            pipelines: Arc::new(Pipelines::new(gpu)),
             gpu: gpu.clone(),
+            pass: Pass::Fragment,
             uploaded: Arc::default(),
         }
+        .in_pass(pass)
+    }
+
+    /// The same renderer, with the same pipelines and uploads, drawing in another kind of pass; in [`Pass::Fragment`]
+    /// on a device without compute shaders.
+    pub fn in_pass(self, pass: Pass) -> Self {
+        let pass = if self.gpu.has_compute() {
+            pass
+        } else {
+            Pass::Fragment
+        };
+        Renderer { pass, ..self }
+    }
+
+    /// The kind of pass that it draws in.
+    pub fn pass(&self) -> Pass {
+        self.pass
+    }
+
+    /// Whether it draws the stars of a scene: their images are listed by compute shaders, which not every device has.
+    pub fn draws_stars(&self) -> bool {
+        self.gpu.has_compute()
     }
 
     /// The device.
@@ -54,7 +84,7 @@ impl Renderer {
 
     /// The program of `key`. Compiles it the first time.
     pub(super) fn program(&self, key: PipelineKey) -> Arc<Program> {
-        self.pipelines.program(key)
+        self.pipelines.program(key.in_pass(self.pass))
     }
 
     /// Uploads a sky to the device.
@@ -80,9 +110,10 @@ impl Renderer {
         self.gpu.attempt(begin).await
     }
 
-    /// Uploads stars to the device, sorted into cells of the sky.
+    /// Uploads stars to the device, sorted into cells of the sky. Nothing is uploaded to a device that cannot draw them
+    /// ([`Renderer::draws_stars`]).
     pub fn upload_stars(&self, field: &StarField) -> StarsOnDevice {
-        StarsOnDevice::new(&self.gpu.device, field)
+        StarsOnDevice::new(&self.gpu, field)
     }
 
     /// Uploads the sky and the stars of `scene`, unless they are those of the scene before.
@@ -130,7 +161,7 @@ impl Renderer {
         }
     }
 
-    /// Draws the picture of a scene. `band_done` is called with the number of rows drawn so far.
+    /// Draws the picture of a scene; without its stars if [`Renderer::draws_stars`] says so. `band_done` is called with the number of rows drawn so far.
     ///
     /// # Errors
     /// [`GpuError::Failed`] if the device fails, [`GpuError::TooManyStars`] if the star lists do not hold all
@@ -198,25 +229,24 @@ impl Renderer {
         mut take: impl FnMut(Region, &[[f32; 4]]),
     ) -> Result<(), GpuError> {
         let Gpu { device, queue, .. } = &self.gpu;
-        let written = prepared.pixels();
+        let target = prepared.target();
         let read_back = device.create_buffer(&BufferDescriptor {
             label: Some("pixels read back"),
-            size: written.size(),
+            size: target.bytes(),
             usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
             mapped_at_creation: false,
         });
         for (i, &band) in prepared.bands().iter().enumerate() {
             let mut encoder = device.create_command_encoder(&Default::default());
             prepared.encode(&mut encoder, i, None);
-            encoder.copy_buffer_to_buffer(written, 0, &read_back, 0, read_back.size());
+            target.copy(&mut encoder, band, &read_back);
             queue.submit([encoder.finish()]);
-            let pixels: Vec<[f32; 4]> = self.gpu.read(&read_back).await?;
+            let pixels = target.unpadded(self.gpu.read(&read_back).await?, band);
             if i == 0 {
                 // The star lists are made with the first band, and all bands read them.
                 prepared.check_stars().await?;
             }
-            let [width, rows] = band.count;
-            take(band, &pixels[..rows as usize * width as usize]);
+            take(band, &pixels);
         }
         Ok(())
     }

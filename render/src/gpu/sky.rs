@@ -2,6 +2,7 @@
 
 use super::bindings::bind_group;
 use super::layouts::Layouts;
+use crate::scene::Sampling;
 #[cfg(doc)]
 use crate::sky::Cube;
 use crate::sky::Sky;
@@ -10,9 +11,13 @@ use wgpu::*;
 /// A sky on the device; a clone refers to the same texture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SkyOnDevice {
-    pub(super) bind_group: BindGroup,
+    trilinear: BindGroup,
+    anisotropic: BindGroup,
 }
 
+/// Largest ratio of the sides of a footprint that the anisotropic filter of the hardware averages over: the largest
+/// that a device may offer.
+const ANISOTROPY: u16 = 16;
 /// Bytes of a texel of the sky.
 const SKY_TEXEL: u32 = size_of::<[half::f16; 4]>() as u32;
 
@@ -46,22 +51,29 @@ impl SkyUpload {
             ..Default::default()
         });
         // Seamless trilinear filtering.
-        let sampler = device.create_sampler(&SamplerDescriptor {
-            mag_filter: FilterMode::Linear,
-            min_filter: FilterMode::Linear,
-            mipmap_filter: MipmapFilterMode::Linear,
-            ..Default::default()
-        });
-        let resources = [
-            BindingResource::TextureView(&view),
-            BindingResource::Sampler(&sampler),
-        ];
+        let group = |label, anisotropy_clamp| {
+            let sampler = device.create_sampler(&SamplerDescriptor {
+                label: Some(label),
+                mag_filter: FilterMode::Linear,
+                min_filter: FilterMode::Linear,
+                mipmap_filter: MipmapFilterMode::Linear,
+                anisotropy_clamp,
+                ..Default::default()
+            });
+            let resources = [
+                BindingResource::TextureView(&view),
+                BindingResource::Sampler(&sampler),
+            ];
+            bind_group(device, label, &layouts.sky, resources)
+        };
+        let sky = SkyOnDevice {
+            trilinear: group("sky", 1),
+            anisotropic: group("sky, anisotropic", ANISOTROPY),
+        };
         SkyUpload {
             queue: queue.clone(),
             texture,
-            sky: SkyOnDevice {
-                bind_group: bind_group(device, "sky", &layouts.sky, resources),
-            },
+            sky,
         }
     }
 
@@ -116,5 +128,12 @@ impl SkyOnDevice {
             }
         }
         upload.finish()
+    }
+    /// The bind group of programs that sample the sky in this way.
+    pub(super) fn bind_group(&self, sampling: Sampling) -> &BindGroup {
+        match sampling {
+            Sampling::Single | Sampling::Filtered => &self.trilinear,
+            Sampling::Anisotropic => &self.anisotropic,
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! The key of a pipeline, and its WGSL source.
 
+use super::pass::Pass;
 use super::stars;
 use crate::camera::Camera;
 use crate::lens::{Deflection, Lens};
@@ -8,7 +9,7 @@ use crate::shaders::Modules;
 use crate::shift::Shift;
 use lensbake_tables::lookup::RowShape;
 
-/// What a dispatch computes.
+/// What a pass computes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Output {
     /// The light of each pixel.
@@ -20,10 +21,11 @@ pub enum Output {
     Difference,
 }
 
-/// Where a dispatch writes.
+/// Where a pass writes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Store {
-    /// To a buffer of one region, in 32-bit floats: to be read back.
+    /// To a buffer of one region, in 32-bit floats, to be read back; a render pass draws to a texture that is copied to
+    /// one.
     Buffer,
     /// To a texture of the whole picture, in 16-bit floats: to be shown.
     Texture,
@@ -99,6 +101,8 @@ pub(super) fn define_shift(modules: &mut Modules, shift: Shift) {
 /// What a pipeline is specialised for. A shader contains no code for what its scene lacks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct PipelineKey {
+    /// In what kind of pass it draws.
+    pub pass: Pass,
     deflection: DeflectionKey,
     /// What it computes.
     pub output: Output,
@@ -120,7 +124,7 @@ const ROW_COORDINATE: &str = "row_coordinate";
 const DEFLECT: &str = "deflect";
 
 impl PipelineKey {
-    /// The key of a pipeline that computes `output` by `deflection`. `stars` is ignored unless `output` is a
+    /// The key of a pipeline that computes `output` by `deflection`, in a compute pass. `stars` is ignored unless `output` is a
     /// picture, `shift` if it is a trace.
     pub fn new(
         deflection: Deflection,
@@ -134,6 +138,7 @@ impl PipelineKey {
         let integrates =
             matches!(deflection, Deflection::Direct { .. }) || output == Output::Difference;
         PipelineKey {
+            pass: Pass::Compute,
             deflection: match deflection {
                 Deflection::Lut => DeflectionKey::Lut,
                 Deflection::Direct { step } => DeflectionKey::Direct {
@@ -163,12 +168,18 @@ impl PipelineKey {
         PipelineKey::new(lens.deflection, output, store, row, stars, motion, shift)
     }
 
+    /// The same key in another kind of pass.
+    pub fn in_pass(self, pass: Pass) -> Self {
+        PipelineKey { pass, ..self }
+    }
+
     /// The key of the pipelines that classify tiles for this one; `None` if it does not draw by tiles.
-    /// Classification uses the table in place of direct integration and does not depend on the store or the stars,
-    /// so several keys share it.
+    /// Classification uses the table in place of direct integration and does not depend on the store, the stars or
+    /// the filter, so several keys share it.
     pub(super) fn classifier(self) -> Option<Self> {
-        let filtered = self.output == Output::Picture(Sampling::Filtered);
-        filtered.then_some(PipelineKey {
+        let by_tiles = self.pass == Pass::Compute && self.averages();
+        by_tiles.then_some(PipelineKey {
+            output: Output::Picture(Sampling::Filtered),
             deflection: match self.deflection {
                 DeflectionKey::Direct { .. } => DeflectionKey::Lut,
                 other => other,
@@ -182,6 +193,19 @@ impl PipelineKey {
             shift: Shift::Off,
             ..self
         })
+    }
+
+    /// How a pixel samples the sky.
+    pub(super) fn sampling(self) -> Sampling {
+        match self.output {
+            Output::Picture(sampling) => sampling,
+            Output::Trace | Output::Difference => Sampling::Single,
+        }
+    }
+
+    /// Whether each pixel is averaged over its area.
+    fn averages(self) -> bool {
+        self.sampling().averages()
     }
 
     /// A name for labels and messages.
@@ -198,13 +222,13 @@ impl PipelineKey {
         self.output != Output::Trace
     }
 
-    /// The entry points: one, or one for each [`crate::filter::TileClass`].
+    /// The entry points. Of a compute pass: one, or one for each [`crate::filter::TileClass`]. Of a render pass: that of
+    /// the fragments and that of the vertices.
     pub fn entry_points(self) -> &'static [&'static str] {
-        match self.output {
-            Output::Picture(Sampling::Single) => &["picture"],
-            Output::Picture(Sampling::Filtered) => &["one_tap", "one_ray", "many_rays"],
-            Output::Trace => &["trace"],
-            Output::Difference => &["difference"],
+        match self.pass {
+            Pass::Compute if self.averages() => &["one_tap", "one_ray", "many_rays"],
+            Pass::Compute => &["draw"],
+            Pass::Fragment => &["draw", "corner"],
         }
     }
 
@@ -224,12 +248,34 @@ impl PipelineKey {
                 Store::Texture => "output_texture",
             }),
         );
+        modules.define(
+            "storable",
+            alias_module(match self.store {
+                Store::Buffer => "storable_full",
+                Store::Texture => "storable_half",
+            }),
+        );
+        modules.define(
+            "average",
+            alias_module(match self.output {
+                Output::Picture(Sampling::Anisotropic) => "average_anisotropic",
+                _ => "average_taps",
+            }),
+        );
+        modules.define(
+            "pixel",
+            alias_module(match self.output {
+                Output::Picture(sampling) if sampling.averages() => "filter",
+                Output::Picture(_) => "picture",
+                Output::Trace => "trace",
+                Output::Difference => "difference",
+            }),
+        );
         stars::define(&mut modules);
-        modules.assemble(&[match self.output {
-            Output::Picture(Sampling::Single) => "picture",
-            Output::Picture(Sampling::Filtered) => "filter",
-            Output::Trace => "trace",
-            Output::Difference => "difference",
+        modules.assemble(&[match self.pass {
+            Pass::Compute if self.averages() => "compute_tiles",
+            Pass::Compute => "compute",
+            Pass::Fragment => "fragment",
         }])
     }
 
@@ -287,108 +333,5 @@ fn calls(module: &str, ray: &str, patch: &str) -> String {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
-    use super::*;
-    use lensbake_tables::lookup::HorizonSide;
-    use lensbake_tables::{ChannelRanges, Interpolation, RowFormat};
-    use naga::valid::{Capabilities, ValidationFlags, Validator};
-
-    /// At rest, in free fall, in orbit, below the horizon and boosted there, with every kind of shift.
-    const OBSERVERS: [(HorizonSide, MotionKey, Shift); 5] = {
-        const fn motion(radial: bool, boosted: bool) -> MotionKey {
-            MotionKey { radial, boosted }
-        }
-        [
-            (HorizonSide::Above, motion(false, false), Shift::Off),
-            (HorizonSide::Above, motion(true, false), Shift::Brightness),
-            (HorizonSide::Above, motion(false, true), Shift::Colour),
-            (HorizonSide::Below, motion(true, false), Shift::Off),
-            (HorizonSide::Below, motion(true, true), Shift::Colour),
-        ]
-    };
-
-    /// Keys of every kind.
-    pub(in crate::gpu) fn keys() -> Vec<PipelineKey> {
-        let deflections = [
-            Deflection::Lut,
-            Deflection::Direct { step: 0.1 },
-            Deflection::Flat,
-        ];
-        let outputs = [
-            Output::Picture(Sampling::Single),
-            Output::Picture(Sampling::Filtered),
-            Output::Trace,
-            Output::Difference,
-        ];
-        let mut keys = Vec::new();
-        for deflection in deflections {
-            for output in outputs {
-                for store in [Store::Buffer, Store::Texture] {
-                    for interpolation in [Interpolation::Linear, Interpolation::Hermite] {
-                        for stars in [false, true] {
-                            for (side, motion, shift) in OBSERVERS {
-                                let row = RowShape {
-                                    texels: 64,
-                                    interpolation,
-                                    side,
-                                    format: RowFormat::Float32,
-                                };
-                                keys.push(PipelineKey::new(
-                                    deflection, output, store, row, stars, motion, shift,
-                                ));
-                            }
-                        }
-                    }
-                }
-            }
-        }
-        keys
-    }
-
-    #[test]
-    fn every_shader_is_valid() {
-        let keys = keys();
-        assert_eq!(keys.len(), 480);
-        for key in keys {
-            validate(&key.source(), key.entry_points());
-            if let Some(classifier) = key.classifier() {
-                validate(
-                    &classifier.classifier_source(),
-                    &["classify_tiles", "close_queues"],
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn shaders_of_every_row_format_are_valid() {
-        let ranges = ChannelRanges::of(&[[-0.4, 0.0], [0.0, 1e-9]]);
-        for format in [
-            RowFormat::Float16,
-            RowFormat::Unorm16(ranges),
-            RowFormat::Coefficients,
-        ] {
-            for key in keys() {
-                let row = RowShape { format, ..key.row };
-                let key = PipelineKey { row, ..key };
-                if key.deflection == DeflectionKey::Lut && key.store == Store::Buffer {
-                    validate(&key.source(), key.entry_points());
-                }
-            }
-        }
-    }
-
-    pub(in crate::gpu) fn validate(source: &str, entry_points: &[&str]) {
-        let module = naga::front::wgsl::parse_str(source)
-            .unwrap_or_else(|e| panic!("{}", e.emit_to_string(source)));
-        Validator::new(ValidationFlags::all(), Capabilities::empty())
-            .validate(&module)
-            .unwrap_or_else(|e| panic!("{e:?} in\n{source}"));
-        let names: Vec<&str> = module
-            .entry_points
-            .iter()
-            .map(|e| e.name.as_str())
-            .collect();
-        assert_eq!(names, entry_points);
-    }
-}
+#[path = "source_tests.rs"]
+pub(super) mod tests;

@@ -5,7 +5,7 @@ use super::Region;
 use super::bindings::{bind_group, block_of};
 use super::camera_block::RegionBlock;
 use super::compute;
-use super::layouts::Layouts;
+use super::layouts::{ComputeLayouts, Layouts};
 use super::source::PipelineKey;
 use crate::shaders::{PADDING, TILE};
 use wgpu::*;
@@ -33,8 +33,8 @@ pub(super) struct WorkQueues {
     group: BindGroup,
 }
 
-/// Resources that the classification and the programs that draw both read.
-pub(super) struct ClassifierInputs<'a> {
+/// Resources that all programs of a picture read.
+pub(super) struct PassInputs<'a> {
     pub(super) camera: &'a Buffer,
     pub(super) regions: &'a Buffer,
     pub(super) row: &'a TextureView,
@@ -43,7 +43,7 @@ pub(super) struct ClassifierInputs<'a> {
 impl TileClassifier {
     pub(super) fn new(device: &Device, layouts: &Layouts, key: PipelineKey) -> Self {
         let module = compute::module(device, "classify_tiles", key.classifier_source());
-        let groups = [&layouts.classify, &layouts.sky];
+        let groups = [&layouts.compute().classify, &layouts.sky];
         let pipeline = |entry_point| compute::pipeline(device, entry_point, &groups, &module);
         TileClassifier {
             classify: pipeline("classify_tiles"),
@@ -56,8 +56,8 @@ impl WorkQueues {
     /// Work queues with room for `regions`.
     pub(super) fn new(
         device: &Device,
-        layouts: &Layouts,
-        inputs: &ClassifierInputs,
+        layouts: &ComputeLayouts,
+        inputs: &PassInputs,
         regions: &[Region],
     ) -> Self {
         let buffer = |label, size: u64, usage| {
@@ -162,6 +162,7 @@ mod tests {
     use crate::filter::{FilteredPixels, TileClass};
     use crate::gpu::frame_resources::FrameResources;
     use crate::gpu::source::{Output, Store};
+    use crate::gpu::target::Target;
     use crate::gpu::{Gpu, Renderer, SkyOnDevice};
     use crate::lens::{Deflection, Lens};
     use crate::scene::Sampling;
@@ -187,8 +188,9 @@ mod tests {
             .iter()
             .map(|region| region.count[0] * region.count[1])
             .max();
-        let most = u64::from(pixels.unwrap());
-        let mut resources = FrameResources::on_buffer(renderer, most);
+        let most = pixels.unwrap();
+        let target = Target::regions(renderer, [most, 1]);
+        let mut resources = FrameResources::new(renderer, target);
         resources.show(
             lens,
             Sampling::Filtered,
@@ -211,8 +213,8 @@ mod tests {
         }
         let read =
             |buffer: &Buffer| block_on(renderer.gpu().copy_back::<u32>(buffer, buffer.size()));
-        let queues = read(&resources.work_queues().queues).unwrap();
-        let tiles = read(&resources.work_queues().tiles).unwrap();
+        let queues = read(&resources.work_queues().unwrap().queues).unwrap();
+        let tiles = read(&resources.work_queues().unwrap().tiles).unwrap();
         let counts = queues.chunks((QUEUE / 4) as usize).map(|queue| queue[3]);
         let firsts = offsets(regions)
             .zip(regions)

@@ -6,6 +6,45 @@ use wgpu::*;
 
 const TIMESTAMPS: u32 = 3;
 
+/// The timestamps that a pass writes when it begins and when it ends, whether it computes or renders.
+#[derive(Debug, Clone, Copy)]
+pub struct PassTimestamps<'a> {
+    queries: &'a QuerySet,
+    begins: Option<u32>,
+    ends: Option<u32>,
+}
+
+impl<'a> PassTimestamps<'a> {
+    /// The same for a compute pass.
+    pub fn of_compute_pass(self) -> ComputePassTimestampWrites<'a> {
+        ComputePassTimestampWrites {
+            query_set: self.queries,
+            beginning_of_pass_write_index: self.begins,
+            end_of_pass_write_index: self.ends,
+        }
+    }
+
+    /// The same for a render pass.
+    pub fn of_render_pass(self) -> RenderPassTimestampWrites<'a> {
+        RenderPassTimestampWrites {
+            query_set: self.queries,
+            beginning_of_pass_write_index: self.begins,
+            end_of_pass_write_index: self.ends,
+        }
+    }
+
+    /// The timestamp of the beginning for a pass that comes first, and the one of the end for the pass after it.
+    /// Either is `None` if it is not written, because a pass must write at least one.
+    pub(super) fn split(self) -> (Option<Self>, Option<Self>) {
+        let begins = self.begins.map(|_| PassTimestamps { ends: None, ..self });
+        let ends = self.ends.map(|_| PassTimestamps {
+            begins: None,
+            ..self
+        });
+        (begins, ends)
+    }
+}
+
 /// The three timestamps of a frame.
 #[derive(Debug)]
 pub struct Timestamps {
@@ -37,11 +76,11 @@ impl Timestamps {
     }
 
     /// Timestamp writes of a pass that begins the picture, ends it, or both.
-    pub fn around_pass(&self, begins: bool, ends: bool) -> ComputePassTimestampWrites<'_> {
-        ComputePassTimestampWrites {
-            query_set: &self.queries,
-            beginning_of_pass_write_index: begins.then_some(0),
-            end_of_pass_write_index: ends.then_some(1),
+    pub fn around_pass(&self, begins: bool, ends: bool) -> PassTimestamps<'_> {
+        PassTimestamps {
+            queries: &self.queries,
+            begins: begins.then_some(0),
+            ends: ends.then_some(1),
         }
     }
 

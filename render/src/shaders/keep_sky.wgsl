@@ -1,5 +1,4 @@
-// Stores pixel `id` of the region: the sky alone.
-// #import output
-fn keep(id: vec2<u32>, sky: vec4<f32>) {
-    store(id, sky);
+// Pixel `id` of the region as it is kept: the sky alone.
+fn kept(id: vec2<u32>, sky: vec4<f32>) -> vec4<f32> {
+    return sky;
 }

@@ -33,8 +33,12 @@ macro_rules! files {
 
 /// The modules of this folder.
 const FILES: &[(&str, &str)] = files![
+    "average_anisotropic",
+    "average_taps",
     "camera",
     "classify_tiles",
+    "compute",
+    "compute_tiles",
     "deflect_direct",
     "deflect_direct_patch",
     "deflect_flat",
@@ -43,7 +47,9 @@ const FILES: &[(&str, &str)] = files![
     "difference",
     "filter",
     "footprint",
+    "fragment",
     "frequency_shift",
+    "full_screen",
     "inverse_lens",
     "keep_shifted",
     "keep_sky",
@@ -73,6 +79,8 @@ const FILES: &[(&str, &str)] = files![
     "star_node",
     "start_moving",
     "start_rest",
+    "storable_full",
+    "storable_half",
     "sum_overflow_lists",
     "tone_map",
     "trace",

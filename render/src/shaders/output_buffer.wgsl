@@ -6,8 +6,3 @@
 fn store(id: vec2<u32>, pixel: vec4<f32>) {
     output[id.y * region.count.x + id.x] = pixel;
 }
-
-// The light that a pixel can hold: all of it.
-fn storable(light: vec3<f32>) -> vec3<f32> {
-    return light;
-}

@@ -1,6 +1,7 @@
 // Presents the finished picture in the window: scaled to the window's pixels, tone-mapped and encoded in sRGB. If
 // the picture is enlarged, the shadow's edge can be redrawn at the window's resolution.
 // #import camera
+// #import full_screen
 // #import patch
 // #import shadow
 // #import srgb
@@ -29,12 +30,6 @@ struct Present {
 @group(0) @binding(1) var<uniform> present: Present;
 // Linear RGB, premultiplied by alpha, the part of the pixel that sees the sky.
 @group(0) @binding(2) var picture: texture_2d<f32>;
-
-@vertex
-fn corner(@builtin(vertex_index) i: u32) -> @builtin(position) vec4<f32> {
-    // One triangle that covers the window.
-    return vec4(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0, 0.0, 1.0);
-}
 
 fn texel(at: vec2<i32>) -> vec4<f32> {
     return textureLoad(picture, clamp(at, vec2(0), vec2<i32>(present.picture) - 1), 0);

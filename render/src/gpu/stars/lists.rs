@@ -85,7 +85,7 @@ impl StarLists {
         let listing = [
             whole(&camera),
             whole(&lens),
-            whole(&stars.0.buffer),
+            stars.binding(),
             whole(&pieces),
             whole(&candidates),
             whole(&list_heads),
@@ -102,7 +102,12 @@ impl StarLists {
             listing: bind_group(device, "list stars", &list.layout, listing),
             summing: overflow("sum overflow lists", &programs.sum_overflows),
             linking: overflow("link overflow sums", &programs.link_sums),
-            reading: bind_group(device, "lists of stars", &layouts.star_lists, reading),
+            reading: bind_group(
+                device,
+                "lists of stars",
+                &layouts.compute().star_lists,
+                reading,
+            ),
             reports: Reports::new(device),
             queue: gpu.queue.clone(),
             stars: stars.clone(),

@@ -16,6 +16,7 @@ pub(super) use nodes::define;
 pub(super) use programs::StarPrograms;
 pub use report::StarLight;
 
+use super::Gpu;
 use crate::stars::StarField;
 use crate::stars::cells::Cells;
 use data::GpuStar;
@@ -30,19 +31,29 @@ pub struct StarsOnDevice(Arc<Stars>);
 #[derive(Debug)]
 struct Stars {
     cells: Cells,
-    buffer: Buffer,
+    /// The stars, on a device that can list their images.
+    buffer: Option<Buffer>,
 }
 
 impl StarsOnDevice {
-    pub(super) fn new(device: &Device, field: &StarField) -> Self {
+    pub(super) fn new(gpu: &Gpu, field: &StarField) -> Self {
         let cells = Cells::new(field);
-        let stars: Vec<GpuStar> = cells.stars().iter().map(GpuStar::from).collect();
-        let buffer = device.create_buffer_init(&util::BufferInitDescriptor {
-            label: Some("stars"),
-            contents: bytemuck::cast_slice(&stars),
-            usage: BufferUsages::STORAGE,
+        let buffer = gpu.has_compute().then(|| {
+            let stars: Vec<GpuStar> = cells.stars().iter().map(GpuStar::from).collect();
+            gpu.device.create_buffer_init(&util::BufferInitDescriptor {
+                label: Some("stars"),
+                contents: bytemuck::cast_slice(&stars),
+                usage: BufferUsages::STORAGE,
+            })
         });
         StarsOnDevice(Arc::new(Stars { cells, buffer }))
+    }
+
+    /// What the program that lists their images binds.
+    fn binding(&self) -> BindingResource<'_> {
+        let buffer = self.0.buffer.as_ref();
+        let buffer = buffer.expect("star lists are made only where there are compute shaders");
+        buffer.as_entire_binding()
     }
 }
 

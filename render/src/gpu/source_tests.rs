@@ -1,0 +1,165 @@
+//! Every kind of shader is valid, and every fragment shader can be written in the GLSL of WebGL2.
+
+use super::*;
+use lensbake_tables::lookup::HorizonSide;
+use lensbake_tables::{ChannelRanges, Interpolation, RowFormat};
+use naga::back::glsl;
+use naga::proc::BoundsCheckPolicies;
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+
+/// At rest, in free fall, in orbit, below the horizon and boosted there, with every kind of shift.
+const OBSERVERS: [(HorizonSide, MotionKey, Shift); 5] = {
+    const fn motion(radial: bool, boosted: bool) -> MotionKey {
+        MotionKey { radial, boosted }
+    }
+    [
+        (HorizonSide::Above, motion(false, false), Shift::Off),
+        (HorizonSide::Above, motion(true, false), Shift::Brightness),
+        (HorizonSide::Above, motion(false, true), Shift::Colour),
+        (HorizonSide::Below, motion(true, false), Shift::Off),
+        (HorizonSide::Below, motion(true, true), Shift::Colour),
+    ]
+};
+
+/// Keys of every kind.
+pub(in crate::gpu) fn keys() -> Vec<PipelineKey> {
+    let deflections = [
+        Deflection::Lut,
+        Deflection::Direct { step: 0.1 },
+        Deflection::Flat,
+    ];
+    let outputs = [
+        Output::Picture(Sampling::Single),
+        Output::Picture(Sampling::Filtered),
+        Output::Picture(Sampling::Anisotropic),
+        Output::Trace,
+        Output::Difference,
+    ];
+    let mut keys = Vec::new();
+    for deflection in deflections {
+        for output in outputs {
+            for store in [Store::Buffer, Store::Texture] {
+                for interpolation in [Interpolation::Linear, Interpolation::Hermite] {
+                    for stars in [false, true] {
+                        for (side, motion, shift) in OBSERVERS {
+                            let row = RowShape {
+                                texels: 64,
+                                interpolation,
+                                side,
+                                format: RowFormat::Float32,
+                            };
+                            let key = PipelineKey::new(
+                                deflection, output, store, row, stars, motion, shift,
+                            );
+                            keys.extend(
+                                [Pass::Compute, Pass::Fragment].map(|pass| key.in_pass(pass)),
+                            );
+                        }
+                    }
+                }
+            }
+        }
+    }
+    keys
+}
+
+#[test]
+fn every_shader_is_valid() {
+    let keys = keys();
+    assert_eq!(keys.len(), 1200);
+    for key in keys {
+        validate(&key.source(), key.entry_points());
+        if let Some(classifier) = key.classifier() {
+            validate(
+                &classifier.classifier_source(),
+                &["classify_tiles", "close_queues"],
+            );
+        }
+    }
+}
+
+#[test]
+fn shaders_of_every_row_format_are_valid() {
+    let ranges = ChannelRanges::of(&[[-0.4, 0.0], [0.0, 1e-9]]);
+    for format in [
+        RowFormat::Float16,
+        RowFormat::Unorm16(ranges),
+        RowFormat::Coefficients,
+    ] {
+        for key in keys() {
+            let row = RowShape { format, ..key.row };
+            let key = PipelineKey { row, ..key };
+            if key.deflection == DeflectionKey::Lut && key.store == Store::Buffer {
+                validate(&key.source(), key.entry_points());
+            }
+        }
+    }
+}
+
+pub(in crate::gpu) fn validate(source: &str, entry_points: &[&str]) {
+    let module = naga::front::wgsl::parse_str(source)
+        .unwrap_or_else(|e| panic!("{}", e.emit_to_string(source)));
+    Validator::new(ValidationFlags::all(), Capabilities::empty())
+        .validate(&module)
+        .unwrap_or_else(|e| panic!("{e:?} in\n{source}"));
+    let names: Vec<&str> = module
+        .entry_points
+        .iter()
+        .map(|e| e.name.as_str())
+        .collect();
+    assert_eq!(names, entry_points);
+}
+/// Checks that the entry points can be written in the GLSL of WebGL2, with these values of overridable constants.
+pub(in crate::gpu) fn assert_webgl2(
+    source: &str,
+    entry_points: &[&str],
+    constants: &[(&str, f64)],
+) {
+    let module = naga::front::wgsl::parse_str(source).unwrap();
+    let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
+        .validate(&module)
+        .unwrap();
+    let constants = constants
+        .iter()
+        .map(|&(name, value)| (name.to_owned(), value));
+    let (module, info) = naga::back::pipeline_constants::process_overrides(
+        &module,
+        &info,
+        None,
+        &constants.collect(),
+    )
+    .unwrap();
+    for entry in &module.entry_points {
+        assert!(entry_points.contains(&entry.name.as_str()));
+        let options = glsl::Options {
+            version: glsl::Version::new_gles(300),
+            ..Default::default()
+        };
+        let pipeline = glsl::PipelineOptions {
+            shader_stage: entry.stage,
+            entry_point: entry.name.clone(),
+            multiview: None,
+        };
+        let mut text = String::new();
+        let policies = BoundsCheckPolicies::default();
+        glsl::Writer::new(&mut text, &module, &info, &options, &pipeline, policies)
+            .and_then(|mut writer| writer.write())
+            .unwrap_or_else(|e| panic!("{}: {e} in\n{source}", entry.name));
+        assert!(!text.contains("buffer"), "{text}");
+    }
+}
+
+#[test]
+fn fragment_shaders_without_stars_can_be_written_for_webgl2() {
+    let keys = keys();
+    let keys = keys
+        .iter()
+        .filter(|key| key.pass == Pass::Fragment && !key.stars);
+    let mut written = 0;
+    for key in keys {
+        assert_webgl2(&key.source(), key.entry_points(), &[]);
+        written += 1;
+    }
+    // Only pictures have stars.
+    assert_eq!(written, 420);
+}

@@ -1,0 +1,60 @@
+// The entry points of a compute pass that draws a filtered picture: a program for each tile class of
+// classify_tiles.wgsl.
+// #import constants
+// #import filter
+// #import output
+// #import region
+// #import sky
+// #import work_queues
+
+@group(0) @binding(4) var<storage, read> tiles: array<u32>;
+
+// The pixel of the region that invocation `local` of a workgroup draws, in the dispatch of a work queue.
+fn queued_pixel(queue: u32, dispatch: vec3<u32>, workgroup: vec3<u32>, local: vec3<u32>) -> vec3<u32> {
+    let tile = tiles[first_tile(queue) + workgroup.y * dispatch.x + workgroup.x];
+    return vec3(TILE * vec2(tile & 0xffffu, tile >> 16u) + local.xy, 0u);
+}
+
+// Tile class OneTap: magnified sky with one bilinear tap per pixel, or no sky.
+@compute @workgroup_size(TILE, TILE)
+fn one_tap(
+    @builtin(num_workgroups) dispatch: vec3<u32>,
+    @builtin(workgroup_id) workgroup: vec3<u32>,
+    @builtin(local_invocation_id) local: vec3<u32>,
+) {
+    let id = queued_pixel(ONE_TAP, dispatch, workgroup, local);
+    if !in_region(id) {
+        return;
+    }
+    let d = view_direction(id.xy);
+    let p = length(d.xy);
+    store(id.xy, kept(id.xy, pixel_light(d, p, deflect(-d.z, p))));
+}
+
+// Tile class OneRay: one ray per pixel, and the mean over its footprint.
+@compute @workgroup_size(TILE, TILE)
+fn one_ray(
+    @builtin(num_workgroups) dispatch: vec3<u32>,
+    @builtin(workgroup_id) workgroup: vec3<u32>,
+    @builtin(local_invocation_id) local: vec3<u32>,
+) {
+    let id = queued_pixel(ONE_RAY, dispatch, workgroup, local);
+    if !in_region(id) {
+        return;
+    }
+    store(id.xy, pixel_of_one_ray(id.xy));
+}
+
+// Tile class ManyRays, near the shadow's edge: no ray per pixel, one, or one for each of 3 × 3 patches.
+@compute @workgroup_size(TILE, TILE)
+fn many_rays(
+    @builtin(num_workgroups) dispatch: vec3<u32>,
+    @builtin(workgroup_id) workgroup: vec3<u32>,
+    @builtin(local_invocation_id) local: vec3<u32>,
+) {
+    let id = queued_pixel(MANY_RAYS, dispatch, workgroup, local);
+    if !in_region(id) {
+        return;
+    }
+    store(id.xy, pixel(id.xy));
+}
