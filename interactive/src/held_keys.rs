@@ -37,7 +37,7 @@ impl HeldKeys {
     pub fn release(&mut self, key: Code, now: Duration) {
         for hold in self.keys.iter_mut().filter(|hold| hold.key == key) {
             if let Some(since) = hold.since.take() {
-                hold.before += now - since;
+                hold.before += now.saturating_sub(since);
             }
         }
     }
@@ -46,7 +46,7 @@ impl HeldKeys {
     pub fn release_all(&mut self, now: Duration) {
         for hold in &mut self.keys {
             if let Some(since) = hold.since.take() {
-                hold.before += now - since;
+                hold.before += now.saturating_sub(since);
             }
         }
     }
@@ -59,7 +59,10 @@ impl HeldKeys {
     /// Calls `f` with every movement and the seconds it was held since the last call.
     pub fn drain(&mut self, now: Duration, mut f: impl FnMut(Movement, f64)) {
         for hold in &mut self.keys {
-            let running = hold.since.map(|since| now - since).unwrap_or_default();
+            let running = hold
+                .since
+                .map(|since| now.saturating_sub(since))
+                .unwrap_or_default();
             hold.since = hold.since.map(|_| now);
             f(hold.movement, (hold.before + running).as_secs_f64());
             hold.before = Duration::ZERO;

@@ -67,6 +67,21 @@ impl AutoScale {
     const TOLERANCE: f64 = 0.15;
     /// Part of the way to the right scale that is made per frame.
     const STRIDE: f64 = 0.3;
+    /// Time between frames, as a part of the target, from which on frames count as late. Below, the screen may set the
+    /// pace.
+    const LATE: f64 = 1.3;
+    /// Factor by which the scale grows with each frame that is not late.
+    const GROWTH: f64 = 1.005;
+
+    /// Adjusts the scale to the time between two frames, where the GPU's own times are not known. A frame that is late
+    /// makes the scale smaller; one that is not makes it a little larger, because it may have waited for the screen.
+    pub fn learn_from_interval(&mut self, interval: Duration, target: Duration) {
+        if interval.as_secs_f64() > Self::LATE * target.as_secs_f64() {
+            self.learn(interval, target);
+        } else {
+            self.scale = (Self::GROWTH * self.scale).min(*Self::RANGE.end());
+        }
+    }
 
     /// Adjusts the scale after a frame at the present scale took this long.
     pub fn learn(&mut self, took: Duration, target: Duration) {
@@ -102,6 +117,28 @@ mod tests {
             auto.learn(took, Duration::from_secs_f64(1e-3 * target_ms));
         }
         ms(&auto)
+    }
+
+    #[test]
+    fn the_time_between_frames_holds_the_frame_rate_too() {
+        let target = Duration::from_millis(20);
+        let screen = Duration::from_millis(16);
+        // The picture takes `whole` at full resolution, and the screen shows it at its next refresh.
+        for (whole_ms, right) in [(5.0, 1.0), (40.0, 0.7), (400.0, 0.25)] {
+            let mut auto = AutoScale::default();
+            let mut late = 0;
+            for frame in 0..400 {
+                let took = Duration::from_secs_f64(1e-3 * whole_ms * auto.scale * auto.scale);
+                auto.learn_from_interval(took.max(screen), target);
+                late += usize::from(frame >= 100 && took > target.mul_f64(AutoScale::LATE));
+            }
+            assert!(
+                (auto.scale - right).abs() < 0.2,
+                "{whole_ms} {}",
+                auto.scale
+            );
+            assert!(late < 30 || right == 0.25, "{whole_ms} {late}");
+        }
     }
 
     #[test]

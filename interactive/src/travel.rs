@@ -54,7 +54,7 @@ impl Settings {
     }
 
     /// Stops the fall where it is.
-    pub(crate) fn stop_falling(&mut self) {
+    pub fn stop_falling(&mut self) {
         if let Some(fall) = &mut self.fall {
             fall.stop();
         }

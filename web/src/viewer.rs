@@ -5,7 +5,7 @@ use crate::sky_texels::{built_in, make_sky};
 use js_sys::{Promise, Uint8Array};
 use keyboard_types::Code;
 use lensbake_interactive::input::{self, Button, Input, KeyChange, Reaction};
-use lensbake_interactive::keys::Command;
+use lensbake_interactive::keys::{self, BINDINGS, Command, MOUSE};
 use lensbake_interactive::meter::Meter;
 use lensbake_interactive::plan::Plan;
 use lensbake_interactive::resolution::Resolution;
@@ -82,7 +82,9 @@ pub struct Viewer {
     wanted_sky: Option<String>,
     width: f64,
     drawn: Option<Plan>,
+    /// When the last frame began in which something moved.
     last: Option<Duration>,
+    last_drawn: Option<Duration>,
     changed: Duration,
     intervals: Meter,
 }
@@ -145,6 +147,7 @@ impl Viewer {
             width: f64::from(width.max(1)),
             drawn: None,
             last: None,
+            last_drawn: None,
             changed: Duration::ZERO,
             intervals: Meter::default(),
         })
@@ -231,13 +234,24 @@ impl Viewer {
     /// Adjusts the automatic resolution: to the GPU's times, or without them to the time between frames.
     fn learn(&mut self, now: Duration) {
         self.session.record_gpu_times();
-        let _ = now;
+        let timed = self.session.stage.gpu().has_timestamps();
+        let since = self.last_drawn.map(|last| now.saturating_sub(last));
+        self.last_drawn = Some(now);
+        let settings = &self.session.state.settings;
+        if let (false, Some(since), Resolution::Auto) = (timed, since, settings.resolution)
+            && since < AT_REST
+        {
+            self.session
+                .auto
+                .learn_from_interval(since, settings.target());
+        }
     }
 
     /// Forgets the time of the last frame, after a pause in which no frames were drawn, and releases the keys.
     pub fn pause(&mut self, now: f64) {
         self.input.release_all(seconds(now));
         self.last = None;
+        self.last_drawn = None;
     }
 
     /// Handles a key by the name of its place, `KeyboardEvent.code`: `change` is `pressed`, `repeated` or `released`.
@@ -250,7 +264,7 @@ impl Viewer {
             "repeated" => KeyChange::Repeated,
             _ => KeyChange::Pressed,
         };
-        lensbake_interactive::keys::key_action(code)?;
+        keys::key_action(code)?;
         let settings = &mut self.session.state.settings;
         let does = match self.input.key(code, change, settings, seconds(now)) {
             Reaction::None => "",
@@ -392,6 +406,15 @@ impl Viewer {
             all.extend(["stars".to_owned(), "on".to_owned()]);
         }
         all
+    }
+
+    /// The keys and what they do, and the same for the pointer: names and descriptions in turn.
+    #[wasm_bindgen(js_name = keyBindings)]
+    pub fn key_bindings() -> Vec<String> {
+        let keys = BINDINGS.iter().map(|one| (one.names, one.does));
+        let all = keys.chain(MOUSE.iter().copied());
+        all.flat_map(|(names, does)| [names.to_owned(), does.to_owned()])
+            .collect()
     }
 
     /// The messages since the last call.

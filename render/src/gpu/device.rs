@@ -6,6 +6,10 @@ use std::sync::{Arc, Mutex};
 use thiserror::Error;
 use wgpu::*;
 
+/// Time between two polls for finished work with WebGL2, ms.
+#[cfg(target_arch = "wasm32")]
+const POLL_MS: u32 = 4;
+
 /// There is no GPU, or it failed.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum GpuError {
@@ -217,8 +221,8 @@ impl Gpu {
     }
 
     /// The adapter's backend.
-    pub fn backend(&self) -> Backends {
-        self.info.backend.into()
+    pub fn backend(&self) -> Backend {
+        self.info.backend
     }
 
     /// Whether the device has compute shaders and what they write: storage buffers and storage textures. WebGL2 has
@@ -252,43 +256,53 @@ impl Gpu {
         let invalid = self.device.push_error_scope(ErrorFilter::Validation);
         let too_much = self.device.push_error_scope(ErrorFilter::OutOfMemory);
         let done = work();
-        let too_much = too_much.pop().await;
-        let first = too_much.or(invalid.pop().await);
+        // Both scopes end now, whatever is done while the results are awaited.
+        let (too_much, invalid) = (too_much.pop(), invalid.pop());
+        let first = too_much.await.or(invalid.await);
         first.map_or(Ok(done), |error| Err(self.failed(error)))
     }
 
-    /// Waits until all submitted work is done. With WebGL2 it does not wait: there, nothing is done until the browser
-    /// is given back control, and what is submitted later comes later in any case.
+    /// Waits until all submitted work is done.
     ///
     /// # Errors
     /// [`GpuError::Failed`] with the first error since the device was opened.
     pub async fn wait(&self) -> Result<(), GpuError> {
-        if self.is_webgl() {
-            return self.poll();
-        }
         let (done, waiting) = oneshot::channel();
         self.queue.on_submitted_work_done(move || {
             // The receiver may have been dropped.
             let _ = done.send(());
         });
-        self.drive()?;
-        let _ = waiting.await;
+        self.arrived(waiting).await?;
         self.check()
     }
 
-    /// Runs the callbacks of finished work. WebGPU in a browser does so by itself; elsewhere this must be called, and it
-    /// blocks until all submitted work is done. With WebGL2 nothing can block.
-    fn drive(&self) -> Result<(), GpuError> {
-        if cfg!(target_arch = "wasm32") {
-            return Ok(());
-        }
+    /// The result of finished work, once its callback has sent it; `None` if it never will.
+    #[cfg(not(target_arch = "wasm32"))]
+    async fn arrived<T>(&self, waiting: oneshot::Receiver<T>) -> Result<Option<T>, GpuError> {
         let polled = self.device.poll(PollType::wait_indefinitely());
         self.check()?;
-        polled.map(|_| ()).map_err(|e| self.failed(e))
+        polled.map_err(|e| self.failed(e))?;
+        Ok(waiting.await.ok())
     }
 
-    /// Runs the callbacks of finished work, without waiting. With WebGL2 this must be called in each frame while
-    /// something is read back.
+    /// The result of finished work, once its callback has sent it; `None` if it never will. WebGPU runs the callbacks by
+    /// itself. With WebGL2 only polling does, and nothing is finished before the browser is given back control.
+    #[cfg(target_arch = "wasm32")]
+    async fn arrived<T>(&self, mut waiting: oneshot::Receiver<T>) -> Result<Option<T>, GpuError> {
+        if self.info.backend != Backend::Gl {
+            return Ok(waiting.await.ok());
+        }
+        loop {
+            self.poll()?;
+            match waiting.try_recv() {
+                Ok(None) => gloo_timers::future::TimeoutFuture::new(POLL_MS).await,
+                Ok(result) => return Ok(result),
+                Err(_) => return Ok(None),
+            }
+        }
+    }
+
+    /// Runs the callbacks of finished work, without waiting.
     ///
     /// # Errors
     /// [`GpuError::Failed`] with the first error since the device was opened.
@@ -296,10 +310,6 @@ impl Gpu {
         let polled = self.device.poll(PollType::Poll);
         self.check()?;
         polled.map(|_| ()).map_err(|e| self.failed(e))
-    }
-
-    fn is_webgl(&self) -> bool {
-        cfg!(target_arch = "wasm32") && self.backend() == Backends::GL
     }
 
     fn check(&self) -> Result<(), GpuError> {
@@ -332,8 +342,7 @@ impl Gpu {
         }
     }
 
-    /// The contents of `buffer`, which must have [`BufferUsages::MAP_READ`]. With WebGL2 they arrive when [`Gpu::poll`] is
-    /// called in a later frame.
+    /// The contents of `buffer`, which must have [`BufferUsages::MAP_READ`].
     ///
     /// # Errors
     /// [`GpuError::Failed`] if the device fails.
@@ -343,8 +352,7 @@ impl Gpu {
             // The receiver may have been dropped.
             let _ = mapped.send(result);
         });
-        self.drive()?;
-        if let Ok(Err(error)) = waiting.await {
+        if let Some(Err(error)) = self.arrived(waiting).await? {
             return Err(self.failed(error));
         }
         let view = buffer

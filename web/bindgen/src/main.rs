@@ -14,6 +14,7 @@ fn main() -> ExitCode {
         bindgen
             .input_path(input)
             .typescript(false)
+            .remove_name_section(true)
             .remove_producers_section(true)
             .generate(folder)
     });
