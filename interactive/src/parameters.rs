@@ -103,7 +103,7 @@ macro_rules! number {
 }
 
 /// All parameters, in the order in which an address lists them.
-pub const PARAMETERS: [Parameter; 23] = [
+pub const PARAMETERS: [Parameter; 22] = [
     number!("radius", "a number of Schwarzschild radii", view.radius),
     Parameter {
         name: "motion",
@@ -211,12 +211,6 @@ pub const PARAMETERS: [Parameter; 23] = [
         expects: "0.25, 0.5, 1, 2, 4 or 16 r_s/c per second",
         get: |settings| settings.clock_rate().to_string(),
         set: |settings, text| index_of(&CLOCK_RATES, text).map(|rate| settings.clock_rate = rate),
-    },
-    Parameter {
-        name: "panel",
-        expects: "on or off",
-        get: |settings| text_of(&SWITCH, settings.panel),
-        set: |settings, text| switch(text).map(|on| settings.panel = on),
     },
 ];
 

@@ -1,0 +1,326 @@
+// The sky around a black hole on a canvas of your page.
+//
+//     import { createLensbake } from './lensbake.js';
+//     const view = await createLensbake(document.querySelector('canvas'), { settings: { radius: 4 } });
+//     view.set('yaw', 30);
+//     const png = await view.screenshot();
+//     view.destroy();
+//
+// Nothing is drawn while nothing changes, nor while the tab is hidden.
+
+import { loadModule } from './module.js';
+import { listen } from './input.js';
+import { Skies } from './skies.js';
+import { watchSize } from './size.js';
+
+/** How often a lost device is opened again within RECOVERY_MS before that is given up. */
+const RECOVERIES = 3;
+const RECOVERY_MS = 60000;
+/** Time until another frame where one is wanted soon, ms. */
+const SOON_MS = 300;
+/** Largest file that is read, bytes. */
+const MOST_BYTES = 512 * 1024 * 1024;
+
+/**
+ * Draws the sky around a black hole on `canvas`, whose size is set by the style of the page.
+ *
+ * Options, all of which may be left out:
+ * - `settings`: names and values, as `set` takes them;
+ * - `backend`: 'webgpu', 'webgl', or 'auto', the better one that works;
+ * - `keys`: the element whose keys control the view (default: the canvas; null: no keys);
+ * - `pointer`: whether mouse and touches control it (default: true);
+ * - `progress(loaded, total)`: called while the module loads, bytes; `total` is 0 if unknown;
+ * - `message(text)`: called with what the user should know;
+ * - `drawn()`: called after each frame;
+ * - `command(name)`: called for the keys that a page answers: 'full-screen', 'screenshot', 'leave';
+ * - `failed(reason)`: called when nothing can be drawn any more.
+ *
+ * Rejects if neither WebGPU nor WebGL2 can draw here.
+ */
+export async function createLensbake(canvas, options = {}) {
+    const module = await loadModule(options.progress ?? (() => {}));
+    const view = new View(canvas, module, options);
+    await view.open();
+    return view.handle();
+}
+
+class View {
+    constructor(canvas, module, options) {
+        this.canvas = canvas;
+        this.module = module;
+        this.options = options;
+        this.viewer = null;
+        this.request = 0;
+        this.timer = 0;
+        this.losses = [];
+        this.closed = false;
+        this.file = null;
+        this.stop = [];
+        this.skies = new Skies(module, (text) => this.say(text));
+    }
+
+    say(text) {
+        this.options.message?.(text);
+    }
+
+    async open() {
+        this.size = watchSize(this.canvas, () => this.redraw());
+        this.stop.push(() => this.size.stop());
+        const hide = () => this.hiddenOrShown();
+        document.addEventListener('visibilitychange', hide);
+        this.stop.push(() => document.removeEventListener('visibilitychange', hide));
+        const lost = (event) => this.contextLost(event);
+        this.canvas.addEventListener('webglcontextlost', lost);
+        this.stop.push(() => this.canvas.removeEventListener('webglcontextlost', lost));
+        const settings = { ...this.options.settings };
+        await this.openViewer(settings);
+        this.stop.push(
+            listen(this.canvas, this.options, {
+                viewer: () => this.viewer,
+                ratio: () => this.size.ratio(),
+                changed: () => this.redraw(),
+                command: (name) => this.options.command?.(name),
+            }),
+        );
+    }
+
+    /** Opens a viewer with these settings; what is wrong with them is said, and the others hold. */
+    async openViewer(settings) {
+        const { Viewer } = this.module.exports;
+        const skies = ['nebula', 'starmap', 'grid', 'stars'];
+        const sky = skies.includes(settings.sky) ? settings.sky : 'nebula';
+        const { width, height } = this.size.now();
+        const backend = this.options.backend ?? 'auto';
+        const viewer = await Viewer.open(this.canvas, backend, sky, width, height, (reason) => {
+            if (this.viewer === viewer) {
+                this.lost(reason);
+            }
+        });
+        if (this.closed) {
+            viewer.free();
+            return;
+        }
+        this.viewer = viewer;
+        for (const [name, value] of Object.entries(settings)) {
+            try {
+                viewer.set(name, String(value));
+            } catch (error) {
+                this.say(error.message);
+            }
+        }
+        this.redraw();
+    }
+
+    redraw() {
+        if (this.request === 0 && this.viewer !== null && document.visibilityState !== 'hidden') {
+            this.request = requestAnimationFrame(() => this.frame());
+        }
+    }
+
+    redrawSoon() {
+        clearTimeout(this.timer);
+        this.timer = setTimeout(() => this.redraw(), SOON_MS);
+    }
+
+    frame() {
+        this.request = 0;
+        const { viewer } = this;
+        if (viewer === null) {
+            return;
+        }
+        const { FrameState } = this.module.exports;
+        const { width, height } = this.size.now();
+        let state;
+        try {
+            state = viewer.frame(performance.now(), width, height);
+        } catch (error) {
+            this.broken(error);
+            return;
+        }
+        if (state === FrameState.Moving) {
+            this.redraw();
+        } else if (state !== FrameState.Still) {
+            this.redrawSoon();
+        }
+        viewer.takeMessages().forEach((text) => this.say(text));
+        this.makeWhatIsWanted();
+        this.options.drawn?.();
+    }
+
+    /** Starts what the picture lacks: the whole sky, and the stars. */
+    makeWhatIsWanted() {
+        const { viewer } = this;
+        const name = viewer.takeWantedSky();
+        if (name !== undefined) {
+            this.skies.make(name, viewer, () => this.viewer === viewer && this.redraw());
+        }
+        if (viewer.wantsStars()) {
+            this.skies.fetchStars(viewer, () => this.viewer === viewer && this.redraw());
+        }
+        if ((viewer.get('sky') === 'stars' || viewer.get('stars') === 'on') && !viewer.drawsStars && !this.toldStars) {
+            this.toldStars = true;
+            this.say('Stars as points need WebGPU, which this browser does not offer here.');
+        }
+    }
+
+    hiddenOrShown() {
+        if (document.visibilityState === 'hidden') {
+            cancelAnimationFrame(this.request);
+            clearTimeout(this.timer);
+            this.request = 0;
+            this.viewer?.pause(performance.now());
+        } else {
+            this.redraw();
+        }
+    }
+
+    /** What the next viewer is opened with. */
+    settings() {
+        const changed = this.viewer.changedSettings();
+        const settings = {};
+        for (let i = 0; i < changed.length; i += 2) {
+            settings[changed[i]] = changed[i + 1];
+        }
+        return settings;
+    }
+
+    contextLost(event) {
+        // Without this the browser does not restore the context.
+        event.preventDefault();
+        if (this.viewer?.backend === 'webgl') {
+            const restored = new Promise((done) => {
+                this.canvas.addEventListener('webglcontextrestored', done, { once: true });
+            });
+            this.lost('the WebGL context was lost', restored);
+        }
+    }
+
+    /** Opens another viewer in place of one whose device is lost, once `ready`. */
+    async lost(reason, ready = Promise.resolve()) {
+        if (this.closed || this.viewer === null) {
+            return;
+        }
+        const settings = this.settings();
+        this.close();
+        const now = performance.now();
+        this.losses = this.losses.filter((time) => now - time < RECOVERY_MS);
+        this.losses.push(now);
+        if (this.losses.length > RECOVERIES) {
+            this.options.failed?.(`${reason}, again and again. Reload the page to try once more.`);
+            return;
+        }
+        this.say(`The graphics device was lost; drawing again.`);
+        await ready;
+        try {
+            await this.openViewer(settings);
+            if (this.file !== null) {
+                await this.openFile(this.file);
+            }
+        } catch (error) {
+            this.options.failed?.(`${reason}, and cannot be opened again: ${error.message ?? error}`);
+        }
+    }
+
+    /** A frame failed: a lost device if the viewer can still speak, else an error in it. */
+    broken(error) {
+        if (error instanceof WebAssembly.RuntimeError) {
+            this.viewer = null;
+            this.options.failed?.('The viewer failed: reload the page. The console says more.');
+            console.error(error);
+        } else {
+            this.lost(error.message ?? String(error));
+        }
+    }
+
+    async openFile(file) {
+        if (file.size > MOST_BYTES) {
+            throw new Error(`${file.name}: larger than ${MOST_BYTES / 1024 / 1024} MiB`);
+        }
+        const bytes = new Uint8Array(await file.arrayBuffer());
+        const { viewer } = this;
+        if (viewer === null) {
+            return;
+        }
+        if (!viewer.takeTable(file.name, bytes)) {
+            this.say(`reading ${file.name} …`);
+            await this.skies.read(file.name, bytes, viewer, () => this.viewer === viewer && this.redraw());
+        }
+        this.file = file;
+        this.redraw();
+    }
+
+    async screenshot() {
+        const { width, height } = this.size.now();
+        const png = await this.viewer.screenshot(width, height);
+        this.redraw();
+        return new Blob([png], { type: 'image/png' });
+    }
+
+    /** Frees the viewer. */
+    close() {
+        cancelAnimationFrame(this.request);
+        clearTimeout(this.timer);
+        this.request = 0;
+        this.skies.cancel();
+        const { viewer } = this;
+        this.viewer = null;
+        try {
+            viewer?.free();
+        } catch {
+            // A lost device may refuse.
+        }
+    }
+
+    handle() {
+        const view = this;
+        const changing = (change) => (...values) => {
+            if (this.viewer !== null) {
+                change(...values);
+                this.redraw();
+            }
+        };
+        return {
+            /** Sets a setting, or several as an object. A value that cannot be drawn is told in a message. Throws if there is no such setting, or it has no such value. */
+            set: changing((name, value) => {
+                const all = typeof name === 'object' ? Object.entries(name) : [[name, value]];
+                all.forEach(([one, of]) => this.viewer.set(one, String(of)));
+            }),
+            /** The value of a setting as a text, or undefined. */
+            get: (name) => this.viewer?.get(name),
+            /** The settings that differ from the defaults, as an object. */
+            settings: () => (this.viewer === null ? {} : this.settings()),
+            /** What a panel shows. */
+            panel: () => (this.viewer === null ? null : JSON.parse(this.viewer.panel())),
+            reset: changing(() => this.viewer.reset()),
+            letGo: changing(() => this.viewer.letGo()),
+            backToLetGo: changing(() => this.viewer.backToLetGo()),
+            stopMoving: changing(() => this.viewer.stopMoving()),
+            /** Shows a file: a panorama or a bending table. */
+            openFile: (file) => this.openFile(file),
+            /** The picture as a PNG: a promise of a Blob. */
+            screenshot: () => this.screenshot(),
+            /** Draws a frame, even if nothing changed. */
+            redraw: () => this.redraw(),
+            get backend() {
+                return view.viewer?.backend;
+            },
+            get adapter() {
+                return view.viewer?.adapter;
+            },
+            /** Whether stars can be drawn as points. */
+            get drawsStars() {
+                return view.viewer?.drawsStars ?? false;
+            },
+            /** Whether the whole sky is drawn, not the first coarse one. */
+            get complete() {
+                return view.viewer !== null && !view.skies.busy;
+            },
+            /** Frees everything. The canvas keeps its last picture. */
+            destroy: () => {
+                this.closed = true;
+                this.stop.forEach((stop) => stop());
+                this.close();
+            },
+        };
+    }
+}

@@ -1,0 +1,209 @@
+// The page: a view that fills it, with the panel, the address, files, full screen and messages around it.
+
+import { readAddress, AddressBar } from './address.js';
+import { createLensbake } from './lensbake.js';
+import { loadModule } from './module.js';
+import { Messages } from './messages.js';
+import { Panel } from './panel.js';
+
+const element = (id) => document.getElementById(id);
+const canvas = element('view');
+const messages = new Messages(element('message'));
+const address = readAddress(location.search);
+let view = null;
+let panel = null;
+let bar = null;
+let pictures = 0;
+
+function progress(loaded, total) {
+    const mb = (bytes) => (bytes / 1e6).toFixed(1);
+    const part = element('loading-bar');
+    part.hidden = false;
+    if (total > 0) {
+        part.max = total;
+        part.value = loaded;
+    } else {
+        part.removeAttribute('value');
+    }
+    element('loading-text').textContent =
+        total > 0 ? `loading ${mb(loaded)} of ${mb(total)} MB` : `loading ${mb(loaded)} MB`;
+}
+
+/** Says why nothing can be drawn, with a still picture. */
+function fail(text) {
+    element('loading').hidden = true;
+    element('panel').hidden = true;
+    element('panel-button').hidden = true;
+    element('failure-text').textContent = text;
+    element('still').src = 'still.jpg';
+    element('still').hidden = false;
+    element('failure').hidden = false;
+}
+
+function command(name) {
+    const does = {
+        'full-screen': toggleFullScreen,
+        screenshot,
+        leave: () => document.fullscreenElement && document.exitFullscreen(),
+    };
+    does[name]?.();
+}
+
+function toggleFullScreen() {
+    const shown = document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen();
+    shown.catch((error) => messages.say(`No full screen: ${error.message}`));
+}
+
+async function screenshot() {
+    try {
+        const url = URL.createObjectURL(await view.screenshot());
+        pictures += 1;
+        const link = document.createElement('a');
+        link.href = url;
+        link.download = `lensbake-${pictures}.png`;
+        link.click();
+        messages.say(`saved ${link.download}`);
+        setTimeout(() => URL.revokeObjectURL(url), 60000);
+    } catch (error) {
+        messages.say(`No picture: ${error.message}`);
+    }
+}
+
+function openFile(file) {
+    view.openFile(file).catch((error) => messages.say(error.message));
+}
+
+/** Keys that the page answers instead of the view: H hides everything, ? and F1 show the help. */
+function pageKeys(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest('input, select, textarea')) {
+        return;
+    }
+    if (event.code === 'KeyH' && !event.repeat) {
+        hideAll(!document.body.classList.contains('bare'));
+    } else if (event.key === '?' || event.code === 'F1') {
+        element('help').showModal();
+    } else if (event.code === 'Escape' && document.body.classList.contains('bare')) {
+        hideAll(false);
+    } else {
+        return;
+    }
+    event.preventDefault();
+}
+
+function hideAll(hidden) {
+    document.body.classList.toggle('bare', hidden);
+    if (!hidden) {
+        panel.update();
+    }
+}
+
+/** Rows of the help: the keys of the viewer, as far as they do the same on a page. */
+async function fillHelp() {
+    const { exports } = await loadModule(() => {});
+    const bindings = exports.Viewer.keyBindings();
+    const other = {
+        'P, F12': ['P', 'save the picture'],
+        'H, F1': ['H', 'hide and show everything else'],
+        'Esc': ['Esc', 'leave full screen or the help'],
+        'Tab': ['Tab', 'go to the next control'],
+        'drop a file': ['drop a file', 'a panorama or a bending table, which is sent nowhere'],
+    };
+    const rows = [];
+    for (let i = 0; i < bindings.length; i += 2) {
+        rows.push(other[bindings[i]] ?? [bindings[i], bindings[i + 1]]);
+    }
+    rows.push(['?, F1', 'this help'], ['two fingers', 'go round the hole'], ['pinch', 'nearer, farther']);
+    for (const [names, does] of rows) {
+        const row = element('keys').insertRow();
+        const head = document.createElement('th');
+        head.scope = 'row';
+        head.textContent = names;
+        row.append(head);
+        row.insertCell().textContent = does;
+    }
+}
+
+function listenToPage() {
+    window.addEventListener('keydown', pageKeys, { capture: true });
+    element('screenshot').addEventListener('click', screenshot);
+    element('full-screen').addEventListener('click', toggleFullScreen);
+    // An iPhone has no full screen.
+    element('full-screen').hidden = !document.fullscreenEnabled;
+    element('help-button').addEventListener('click', () => element('help').showModal());
+    element('hide').addEventListener('click', () => {
+        hideAll(true);
+        messages.say('H or a tap shows the panel again.');
+    });
+    canvas.addEventListener('pointerdown', () => {
+        if (document.body.classList.contains('bare') && matchMedia('(pointer: coarse)').matches) {
+            hideAll(false);
+        }
+    });
+    element('file').addEventListener('change', (event) => {
+        const [file] = event.target.files;
+        if (file !== undefined) {
+            openFile(file);
+        }
+        // So that the same file can be chosen again.
+        event.target.value = '';
+    });
+    const dropping = (on) => document.body.classList.toggle('dropping', on);
+    window.addEventListener('dragover', (event) => {
+        event.preventDefault();
+        dropping(true);
+    });
+    window.addEventListener('dragleave', (event) => event.relatedTarget === null && dropping(false));
+    window.addEventListener('drop', (event) => {
+        event.preventDefault();
+        dropping(false);
+        const [file] = event.dataTransfer.files;
+        if (file !== undefined) {
+            openFile(file);
+        }
+    });
+}
+
+/** What the address asks to move stays still where the system asks for less motion, until the user moves it. */
+function respectReducedMotion() {
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches && view.panel().moves) {
+        view.stopMoving();
+        messages.say('The view does not move by itself, because the system asks for less motion. R or G moves it.');
+    }
+}
+
+async function start() {
+    element('loading-text').textContent = 'loading';
+    view = await createLensbake(canvas, {
+        settings: address.settings,
+        backend: address.ofPage.backend,
+        keys: window,
+        progress,
+        message: (text) => messages.say(text),
+        command,
+        drawn: () => {
+            panel?.update();
+            bar?.changed();
+        },
+        failed: fail,
+    });
+    bar = new AddressBar(view, address.ofPage);
+    panel = new Panel(view, element('panel'), element('panel-button'), canvas, (text) => messages.say(text));
+    listenToPage();
+    await fillHelp();
+    respectReducedMotion();
+    element('loading').hidden = true;
+    panel.show(address.ofPage.panel !== 'off');
+    performance.mark('first-picture');
+    // For tests and the curious: the same functions as on any page.
+    window.lensbake = view;
+}
+
+start().catch((error) => {
+    console.warn(error);
+    const offered = 'WebAssembly' in window && (('gpu' in navigator) || 'WebGL2RenderingContext' in window);
+    fail(
+        offered
+            ? `The view cannot be drawn here: ${error.message ?? error}`
+            : 'This browser can draw neither with WebGPU nor with WebGL 2, one of which this page needs.',
+    );
+});

@@ -1,0 +1,108 @@
+// Makes and reads skies in a worker, so that the page stays responsive, and loads the stars.
+
+export class Skies {
+    /** `module` is that of `loadModule`; `say` is called with what went wrong. */
+    constructor(module, say) {
+        this.module = module;
+        this.say = say;
+        this.worker = null;
+        this.waiting = 0;
+        this.round = 0;
+        this.last = Promise.resolve();
+        this.starsAsked = false;
+    }
+
+    /** Whether a sky is being made or read. */
+    get busy() {
+        return this.waiting > 0;
+    }
+
+    /** Makes a built-in sky for a viewer; `done` is called when it is shown. */
+    make(name, viewer, done) {
+        this.run({ name }, viewer, done).catch((error) => this.say(error.message));
+    }
+
+    /** Reads a panorama for a viewer. Rejects if it cannot be used. */
+    read(name, bytes, viewer, done) {
+        return this.run({ name, bytes }, viewer, done);
+    }
+
+    /** Ends what is under way, and forgets what waits. */
+    cancel() {
+        this.worker?.terminate();
+        this.worker = null;
+        this.waiting = 0;
+        this.round += 1;
+        this.last = Promise.resolve();
+        this.starsAsked = false;
+    }
+
+    /** Runs a task after those before it: each takes the memory of a sky. */
+    run(task, viewer, done) {
+        const { round } = this;
+        this.waiting += 1;
+        const result = this.last.then(() => round === this.round && this.work(task, viewer, round));
+        this.last = result.catch(() => {}).then(() => {
+            if (round === this.round) {
+                this.waiting -= 1;
+            }
+        });
+        return result.then(() => round === this.round && done());
+    }
+
+    async work(task, viewer, round) {
+        const worker = new Worker(new URL('./sky-worker.js', import.meta.url), { type: 'module' });
+        this.worker = worker;
+        try {
+            await write(worker, { ...task, module: this.module.compiled }, viewer, () => round === this.round);
+        } finally {
+            worker.terminate();
+        }
+    }
+
+    /** Loads the catalogue of stars for a viewer, once. */
+    async fetchStars(viewer, done) {
+        if (this.starsAsked) {
+            return;
+        }
+        this.starsAsked = true;
+        try {
+            const response = await fetch(new URL('./hipparcos.stars', import.meta.url));
+            if (!response.ok) {
+                throw new Error(`${response.status} ${response.statusText}`);
+            }
+            viewer.takeStars(new Uint8Array(await response.arrayBuffer()));
+            done();
+        } catch (error) {
+            this.say(`The stars cannot be loaded: ${error.message}`);
+        }
+    }
+}
+
+/** Passes the faces that a worker sends to the viewer, while `wanted()`. */
+function write(worker, task, viewer, wanted) {
+    return new Promise((resolve, reject) => {
+        let writer = null;
+        const take = async ({ data }) => {
+            if (!wanted()) {
+                resolve();
+            } else if (data.error !== undefined) {
+                reject(new Error(data.error));
+            } else if (data.faceTexels !== undefined) {
+                writer = await viewer.beginSky(task.name, data.faceTexels);
+            } else if (data.texels !== undefined) {
+                writer.write(data.level, data.face, data.texels);
+            } else {
+                viewer.endSky(writer);
+                resolve();
+            }
+        };
+        // One message after the other: the first waits for the device.
+        let last = Promise.resolve();
+        worker.onmessage = (event) => {
+            last = last.then(() => take(event)).catch(reject);
+        };
+        worker.onerror = (event) => reject(new Error(`${task.name}: ${event.message ?? 'the worker failed'}`));
+        worker.postMessage(task);
+    });
+}
