@@ -249,6 +249,13 @@ impl PipelineKey {
             }),
         );
         modules.define(
+            "origin",
+            alias_module(match self.store {
+                Store::Buffer => "origin_band",
+                Store::Texture => "origin_texture",
+            }),
+        );
+        modules.define(
             "storable",
             alias_module(match self.store {
                 Store::Buffer => "storable_full",

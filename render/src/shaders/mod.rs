@@ -59,6 +59,8 @@ const FILES: &[(&str, &str)] = files![
     "list_stars",
     "observe_boosted",
     "observe_rest",
+    "origin_band",
+    "origin_texture",
     "output_buffer",
     "output_texture",
     "patch",

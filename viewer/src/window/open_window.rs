@@ -16,7 +16,7 @@ use super::star_notice::StarNotice;
 use super::state::{NamedTable, State};
 use super::{WindowError, files, screenshot, title};
 use lensbake_program::message;
-use lensbake_render::gpu::StarsOnDevice;
+use lensbake_render::gpu::{Pass, StarsOnDevice};
 use lensbake_render::model::Precision;
 use lensbake_render::sky::{Sky, SkySource};
 use lensbake_render::stars::StarField;
@@ -35,6 +35,8 @@ pub struct Start {
     pub size: [u32; 2],
     /// Whether the window fills the screen.
     pub fullscreen: bool,
+    /// The kind of passes that draw the picture; `None` for the device's default.
+    pub pass: Option<Pass>,
     /// The sky.
     pub sky: Sky,
     /// Source of the sky.
@@ -86,7 +88,7 @@ impl OpenWindow {
             .map_err(|e| WindowError::no_screen(&e))?;
         let window = Arc::new(window);
         let state = start.state;
-        let (stage, on_device) = Stage::new(window.clone(), &start.sky)?;
+        let (stage, on_device) = Stage::new(window.clone(), &start.sky, start.pass)?;
         let panel = Panel::new(&window, stage.gpu(), stage.format());
         window.request_redraw();
         let mut open = OpenWindow {

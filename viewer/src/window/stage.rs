@@ -6,7 +6,7 @@ use super::render_pass::begin;
 use super::{WindowError, screenshot};
 use lensbake_render::camera::MAX_SIDE;
 use lensbake_render::gpu::{
-    Gpu, GpuError, Lap, Presenter, RealtimeRenderer, Renderer, SkyOnDevice, StarLight,
+    Gpu, GpuError, Lap, Pass, Presenter, RealtimeRenderer, Renderer, SkyOnDevice, StarLight,
     StarsOnDevice, Stopwatch, Timed,
 };
 use lensbake_render::scene::Scene;
@@ -44,11 +44,15 @@ pub enum Shown {
 }
 
 impl Stage {
-    /// A stage for `window` with this sky. Returns the uploaded sky as well.
+    /// A stage for `window` with this sky, whose picture is drawn in `pass`. Returns the uploaded sky as well.
     ///
     /// # Errors
     /// [`WindowError::Gpu`] if there is no GPU, or it cannot draw to the window.
-    pub fn new(window: Arc<Window>, sky: &Sky) -> Result<(Self, SkyOnDevice), WindowError> {
+    pub fn new(
+        window: Arc<Window>,
+        sky: &Sky,
+        pass: Option<Pass>,
+    ) -> Result<(Self, SkyOnDevice), WindowError> {
         let (gpu, surface) = block_on(Gpu::open_for(window.clone()))?;
         let capabilities = surface.get_capabilities(gpu.adapter());
         // A format that is not sRGB leaves the encoding to the shader, as egui prefers.
@@ -67,7 +71,8 @@ impl Stage {
         config.format = format;
         config.present_mode = PresentMode::AutoVsync;
         surface.configure(&gpu.device, &config);
-        let renderer = Renderer::new(&gpu);
+        let pass = pass.unwrap_or_else(|| Pass::default_on(&gpu));
+        let renderer = Renderer::with_pass(&gpu, pass);
         let sky = block_on(renderer.upload_sky(sky))?;
         let realtime = RealtimeRenderer::new(renderer, [1, 1]);
         let stage = Stage {
