@@ -1,6 +1,7 @@
 //! Pictures drawn by render passes against the same pictures drawn by compute passes, on the same device and on one
 //! without compute shaders.
 
+use glam::Vec3;
 use lensbake_core::Motion;
 use lensbake_render::camera::View;
 use lensbake_render::diff::PictureDifference;
@@ -34,7 +35,7 @@ const VIEW: View = View {
 };
 
 const DIRECT: Deflection = Deflection::Direct { step: 0.1 };
-const SAMPLINGS: [Sampling; 3] = [Sampling::Single, Sampling::Filtered, Sampling::Anisotropic];
+const SAMPLINGS: [Sampling; 2] = [Sampling::Single, Sampling::Filtered];
 
 fn nebula() -> Arc<Sky> {
     sky::load(&SkySource::Nebula).unwrap().into()
@@ -210,5 +211,44 @@ fn frames_of_render_passes_are_those_of_compute_passes() {
         let off = one.iter().flatten().zip(other.iter().flatten());
         let differing = off.filter(|(a, b)| a.abs_diff(**b) > 1).count();
         assert!(differing <= 9, "{name} with stars: {differing} channels");
+    }
+}
+
+/// Whatever the filter of the hardware does, the mean of a sky of one colour is that colour; and what a pixel beside the
+/// shadow's edge has of the sky is as with our own filter.
+#[test]
+#[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
+fn the_anisotropic_filter_of_the_hardware_keeps_one_colour() {
+    let gpus = [gpu(), block_on(Gpu::open_without_compute()).unwrap()];
+    let sky: Arc<Sky> = Sky::from_fn(256, |_| Vec3::new(0.25, 0.5, 0.75)).into();
+    for (name, scene) in scenes(&sky) {
+        let filtered = scene.clone().with_sampling(Sampling::Filtered);
+        let anisotropic = scene.with_sampling(Sampling::Anisotropic);
+        for (gpu, pass) in [(0, Pass::Compute), (0, Pass::Fragment), (1, Pass::Fragment)] {
+            let renderer = Renderer::with_pass(&gpus[gpu], pass);
+            let [one, other] = [&filtered, &anisotropic].map(|scene| on_gpu(&renderer, scene));
+            assert_same(&format!("{name}, {pass:?}, device {gpu}"), &one, &other);
+        }
+    }
+}
+
+/// llvmpipe (Mesa 22.3) ignores the gradients that a shader passes to its anisotropic filter.
+#[test]
+#[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
+fn a_gpus_anisotropic_filter_is_near_ours_in_either_kind_of_pass() {
+    let gpu = gpu();
+    if gpu.is_software() {
+        println!("not measured on {}", gpu.name());
+        return;
+    }
+    for (name, scene) in scenes(&nebula()) {
+        let filtered = scene.clone().with_sampling(Sampling::Filtered);
+        let anisotropic = scene.with_sampling(Sampling::Anisotropic);
+        for pass in [Pass::Compute, Pass::Fragment] {
+            let renderer = Renderer::with_pass(&gpu, pass);
+            let [one, other] = [&filtered, &anisotropic].map(|scene| on_gpu(&renderer, scene));
+            let off = PictureDifference::of(&one, &other);
+            assert!(off.mean < 2.0, "{name}, {pass:?}: {off:?}");
+        }
     }
 }

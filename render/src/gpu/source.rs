@@ -272,7 +272,7 @@ impl PipelineKey {
         modules.define(
             "pixel",
             alias_module(match self.output {
-                Output::Picture(sampling) if sampling.averages() => "filter",
+                Output::Picture(sampling) if sampling.averages() => "filtered_pixel",
                 Output::Picture(_) => "picture",
                 Output::Trace => "trace",
                 Output::Difference => "difference",

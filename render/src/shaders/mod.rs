@@ -46,6 +46,7 @@ const FILES: &[(&str, &str)] = files![
     "deflection",
     "difference",
     "filter",
+    "filtered_pixel",
     "footprint",
     "fragment",
     "frequency_shift",

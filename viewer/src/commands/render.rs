@@ -29,8 +29,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     };
     let budget_px = args.budget_px.unwrap_or(DEFAULT_BUDGET_PX);
     least::check_budget(budget_px)?;
-    let on_cpu = args.scene.device == DeviceName::Cpu;
-    check_device(args, on_cpu)?;
+    check_device(args, args.scene.device == DeviceName::Cpu)?;
     let file = PictureFile::new(&args.output, &args.scene.view, args.stars.stars.as_ref())?;
     let mut lens = lens(&args.scene, method)?;
     let sky = sky::load(&args.scene.view.sky)?;
