@@ -50,8 +50,9 @@ const METHODS: [(&str, (bool, Comparison)); 5] = [
     ("flat", (false, Comparison::Table)),
 ];
 
-const SAMPLINGS: [(&str, Sampling); 2] = [
+const SAMPLINGS: [(&str, Sampling); 3] = [
     ("filtered", Sampling::Filtered),
+    ("anisotropic", Sampling::Anisotropic),
     ("single", Sampling::Single),
 ];
 
@@ -177,7 +178,7 @@ pub const PARAMETERS: [Parameter; 22] = [
     number!("gain", "a factor from 1 to 1048576", gain),
     Parameter {
         name: "sampling",
-        expects: "filtered or single",
+        expects: "filtered, anisotropic or single",
         get: |settings| text_of(&SAMPLINGS, settings.sampling),
         set: |settings, text| chosen(&SAMPLINGS, text).map(|one| settings.sampling = one),
     },

@@ -259,7 +259,7 @@ impl Settings {
             Change::ToggleAutoExposure => self.auto_exposure ^= true,
             Change::ToggleDeflection => self.deflection ^= true,
             Change::ToggleFilter => {
-                let all = [Sampling::Filtered, Sampling::Single];
+                let all = [Sampling::Filtered, Sampling::Anisotropic, Sampling::Single];
                 self.sampling = next(&all, self.sampling);
             }
             Change::NextComparison => self.comparison = next(&Comparison::ALL, self.comparison),

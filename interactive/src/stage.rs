@@ -68,16 +68,18 @@ pub fn drawable_size(gpu: &Gpu, size: [u32; 2]) -> Option<[u32; 2]> {
 }
 
 impl Stage {
-    /// A stage for a surface of `gpu` with this size in pixels, and with this sky. Returns the uploaded sky as well.
+    /// A stage for a surface of the renderer's device with this size in pixels, and with this sky. Returns the uploaded
+    /// sky as well.
     ///
     /// # Errors
     /// [`GpuError`] if the GPU cannot draw to the surface, or the sky does not fit.
     pub async fn new(
-        gpu: Gpu,
+        renderer: Renderer,
         surface: Surface<'static>,
         size: [u32; 2],
         sky: &Sky,
     ) -> Result<(Self, SkyOnDevice), GpuError> {
+        let gpu = renderer.gpu().clone();
         let capabilities = surface.get_capabilities(gpu.adapter());
         // A format that is not sRGB leaves the encoding to the shader, as egui prefers.
         let plain = capabilities.formats.iter().find(|format| {
@@ -95,7 +97,6 @@ impl Stage {
         config.format = format;
         config.present_mode = PresentMode::AutoVsync;
         surface.configure(&gpu.device, &config);
-        let renderer = Renderer::new(&gpu);
         let sky = renderer.upload_sky(sky).await?;
         let realtime = RealtimeRenderer::new(renderer, [1, 1]);
         let stage = Stage {

@@ -138,9 +138,11 @@ fn check_grid(scene: &Scene, picture: &Picture) {
             let direction = camera.sky_from_hole * light.escaped().unwrap().direction;
             scene.sky.sample(direction.as_vec3())
         }
-        Sampling::Filtered => FilteredPixels::new(&beside, Rendition::default())
-            .light(&scene.sky, x, y)
-            .truncate(),
+        Sampling::Filtered | Sampling::Anisotropic => {
+            FilteredPixels::new(&beside, Rendition::default())
+                .light(&scene.sky, x, y)
+                .truncate()
+        }
     };
     let middle = Vec3::from(picture.pixels()[(y * picture.width() + x) as usize]);
     let off = (middle - expected).abs().max_element();

@@ -15,7 +15,7 @@ use lensbake_interactive::skies::Selected;
 use lensbake_interactive::stage::{Frame, Stage};
 use lensbake_interactive::state::{NamedTable, State};
 use lensbake_render::camera::View;
-use lensbake_render::gpu::{Gpu, SkyUpload};
+use lensbake_render::gpu::{Gpu, Renderer, SkyUpload};
 use lensbake_render::lens::Deflection;
 use lensbake_render::sky::SkySource;
 use lensbake_render::stars::{StarField, catalogue_from_bytes};
@@ -136,7 +136,7 @@ impl Viewer {
             let _ = on_failure.call1(&JsValue::NULL, &reason.into());
         });
         let texels = make_sky(&sky, FIRST_SKY_TEXELS)?.into_sky();
-        let stage = Stage::new(gpu, surface, [width, height], &texels).await;
+        let stage = Stage::new(Renderer::new(&gpu), surface, [width, height], &texels).await;
         let (stage, on_device) = stage.map_err(error)?;
         Ok(Viewer {
             wanted_sky: Some(sky).filter(|_| texels.face_texels() > 1),

@@ -72,11 +72,10 @@ impl CameraBlock {
 pub(super) struct RegionBlock {
     pub first: [u32; 2],
     pub count: [u32; 2],
-    pub origin: [u32; 2],
     pub queues: u32,
     pub tiles: u32,
     pub gain: f32,
-    pub padding: [u32; 3],
+    pub padding: u32,
 }
 
 /// Bytes of the uniform blocks that a frame uploads: its camera and its region.
@@ -121,7 +120,6 @@ mod tests {
             RegionBlock,
             first,
             count,
-            origin,
             queues,
             tiles,
             gain,

@@ -133,11 +133,10 @@ impl FrameResources {
             let block = RegionBlock {
                 first: region.first,
                 count: region.count,
-                origin: self.target.origin_of(region),
                 queues,
                 tiles,
                 gain,
-                padding: [0; 3],
+                padding: 0,
             };
             // They rarely change from frame to frame.
             if self.uploaded_regions.get(i) == Some(&block) {

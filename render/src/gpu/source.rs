@@ -249,6 +249,13 @@ impl PipelineKey {
             }),
         );
         modules.define(
+            "origin",
+            alias_module(match self.store {
+                Store::Buffer => "origin_band",
+                Store::Texture => "origin_texture",
+            }),
+        );
+        modules.define(
             "storable",
             alias_module(match self.store {
                 Store::Buffer => "storable_full",
@@ -265,7 +272,7 @@ impl PipelineKey {
         modules.define(
             "pixel",
             alias_module(match self.output {
-                Output::Picture(sampling) if sampling.averages() => "filter",
+                Output::Picture(sampling) if sampling.averages() => "filtered_pixel",
                 Output::Picture(_) => "picture",
                 Output::Trace => "trace",
                 Output::Difference => "difference",

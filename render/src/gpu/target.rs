@@ -61,7 +61,7 @@ impl Target {
         }
     }
 
-    /// Column and row of the first pixel of `region`.
+    /// Column and row of the first pixel of `region`, as `shaders/origin_*.wgsl` have it.
     pub(super) fn origin_of(&self, region: &Region) -> [u32; 2] {
         match self {
             Target::Buffer(_) | Target::Band(_) => [0, 0],

@@ -2,6 +2,7 @@
 // classify_tiles.wgsl.
 // #import constants
 // #import filter
+// #import keep
 // #import output
 // #import region
 // #import sky
@@ -42,7 +43,8 @@ fn one_ray(
     if !in_region(id) {
         return;
     }
-    store(id.xy, pixel_of_one_ray(id.xy));
+    let seen = patch_at(from_middle(region.first + id.xy), 1.0);
+    store(id.xy, kept(id.xy, patch_light(seen, MAX_TAPS)));
 }
 
 // Tile class ManyRays, near the shadow's edge: no ray per pixel, one, or one for each of 3 × 3 patches.
@@ -56,5 +58,6 @@ fn many_rays(
     if !in_region(id) {
         return;
     }
-    store(id.xy, pixel(id.xy));
+    let at = from_middle(region.first + id.xy);
+    store(id.xy, kept(id.xy, light_by(rays_of(patch_at(at, 1.0)), at)));
 }

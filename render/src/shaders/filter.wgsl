@@ -3,7 +3,6 @@
 // #import constants
 // #import deflect
 // #import footprint
-// #import keep
 // #import region
 // #import shadow
 // #import view
@@ -14,35 +13,38 @@ fn patch_light(seen: Patch, most_taps: f32) -> vec4<f32> {
     if deflected.outcome != ESCAPES {
         return vec4(0.0);
     }
+    return vec4(seen_light(average(print_of(seen, deflected), most_taps), seen.d), 1.0);
+}
+
+// The footprint of a patch in the frame of the cube.
+fn print_of(seen: Patch, deflected: Deflected) -> Footprint {
     let in_hole = footprint(seen, deflected);
-    let print = Footprint(
+    return Footprint(
         in_sky_frame(in_hole.d),
         in_sky_frame(in_hole.right),
         in_sky_frame(in_hole.down),
     );
-    return vec4(seen_light(average(print, most_taps), seen.d), 1.0);
 }
 
-// Pixel `id` of the region by one ray, far enough from the shadow's edge.
-fn pixel_of_one_ray(id: vec2<u32>) -> vec4<f32> {
-    return kept(id, patch_light(patch_at(from_middle(region.first + id), 1.0), MAX_TAPS));
+// Rays along each side of a pixel, and the largest number of taps of each of them.
+struct Rays {
+    along: u32,
+    most_taps: f32,
 }
 
-// Pixel `id` of the region, anywhere: by no ray, by one, or by one for each of 3 × 3 patches. A software adapter
-// executes both sides of a branch but ends a loop that has no pixel left, so the number of rays is that of a loop.
-fn pixel(id: vec2<u32>) -> vec4<f32> {
-    let half_angle = half_shadow();
-    let at = from_middle(region.first + id);
-    let whole = patch_at(at, 1.0);
-    let distance = shadow_distance(whole.c, whole.p, half_angle) / gradient(whole);
-    var along = SUB_RAYS;
-    var most_taps = MAX_TAPS_BESIDE_EDGE;
+// The rays of a pixel: none in the shadow, one away from its edge, several beside it.
+fn rays_of(whole: Patch) -> Rays {
+    let distance = shadow_distance(whole.c, whole.p, half_shadow()) / gradient(whole);
     if distance >= NEAR_OUTSIDE {
-        along = 1u;
-        most_taps = MAX_TAPS;
-    } else if distance < -NEAR_INSIDE {
-        along = 0u;
+        return Rays(1u, MAX_TAPS);
     }
+    return Rays(select(SUB_RAYS, 0u, distance < -NEAR_INSIDE), MAX_TAPS_BESIDE_EDGE);
+}
+
+// The mean light of the pixel at `at` by these rays, each for a square patch.
+fn light_by(rays: Rays, at: vec2<f32>) -> vec4<f32> {
+    let half_angle = half_shadow();
+    let along = rays.along;
     let side = 1.0 / f32(max(along, 1u));
     var sum = vec4(0.0);
     for (var i = 0u; i < along * along; i++) {
@@ -52,8 +54,8 @@ fn pixel(id: vec2<u32>) -> vec4<f32> {
         let part = sky_part(shadow_distance(square.c, square.p, half_angle), px, half_angle);
         if part.covered > 0.0 {
             let outside = moved(square, part.shift * px, part.extent);
-            sum += part.covered * patch_light(outside, most_taps);
+            sum += part.covered * patch_light(outside, rays.most_taps);
         }
     }
-    return kept(id, sum * (side * side));
+    return sum * (side * side);
 }

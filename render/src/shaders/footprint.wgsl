@@ -42,15 +42,21 @@ fn texels_on_face(step: vec3<f32>, d: vec3<f32>, axis: vec3<f32>, face_texels: f
     return (step - d * (dot(step, axis) * inverse)) * (abs(inverse) * 0.5 * face_texels);
 }
 
-// At most `most` taps that average the cube map over a footprint, in the frame of the cube.
-fn taps(print: Footprint, face_texels: f32, most: f32) -> Taps {
+// Whether the sky is magnified over a footprint, so that one bilinear tap is its mean.
+fn is_magnified(print: Footprint, face_texels: f32) -> bool {
     let size = abs(print.d);
     let depth = max(size.x, max(size.y, size.z));
     let density = 0.5 * face_texels / (depth * depth);
     let bound = (dot(print.right, print.right) + dot(print.down, print.down)) * density * density;
-    if bound < ONE_TAP_SQ {
+    return bound < ONE_TAP_SQ;
+}
+
+// At most `most` taps that average the cube map over a footprint, in the frame of the cube.
+fn taps(print: Footprint, face_texels: f32, most: f32) -> Taps {
+    if is_magnified(print, face_texels) {
         return Taps(0.0, 1.0, vec3(0.0), 0.0);
     }
+    let size = abs(print.d);
     var axis = select(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), size.y >= size.x);
     axis = select(axis, vec3(0.0, 0.0, 1.0), size.z >= max(size.x, size.y));
     let right = texels_on_face(print.right, print.d, axis, face_texels);

@@ -2,11 +2,9 @@
 // #import camera
 // #import constants
 struct Region {
-    // Its first pixel, its width and height. WebGL needs blocks of whole multiples of 16 bytes.
-    @align(16) first: vec2<u32>,
+    // Its first pixel, its width and height.
+    first: vec2<u32>,
     count: vec2<u32>,
-    // Where its first pixel is in the target of a render pass.
-    origin: vec2<u32>,
     // Index of its first work queue, and of the first entry of that queue.
     queues: u32,
     tiles: u32,

@@ -1,11 +1,12 @@
 //! The contenders of the benchmark.
 
 use lensbake_core::Motion;
+use lensbake_render::gpu::Pass;
 use lensbake_render::lens::Deflection;
 use lensbake_render::scene::Sampling;
 use std::f64::consts::PI;
 
-/// A deflection method with its sampling and the camera's motion, with or without stars.
+/// A deflection method with its sampling, its kind of pass and the camera's motion, with or without stars.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contender {
     /// Deflection method.
@@ -16,6 +17,8 @@ pub struct Contender {
     pub stars: bool,
     /// How the camera moves.
     pub motion: Motion,
+    /// Whether it is drawn in the other kind of pass than the renderer's.
+    pub other_pass: bool,
 }
 
 /// No deflection: the lower bound of the cost.
@@ -30,6 +33,12 @@ pub const FILTERED: Contender = Contender {
     ..LUT
 };
 
+/// The table, the mean over each pixel by the anisotropic filter of the hardware.
+pub const ANISOTROPIC: Contender = Contender {
+    sampling: Sampling::Anisotropic,
+    ..LUT
+};
+
 /// The table for a camera in free fall: the motion is in the row.
 pub const LUT_FALL: Contender = LUT.in_motion(Motion::Fall);
 /// The table for a camera in orbit: the shader maps the view direction (aberration).
@@ -41,7 +50,7 @@ pub const FILTERED_ORBIT: Contender = FILTERED.in_motion(Motion::Orbit);
 
 /// All contenders; direct integration in the order of its number of steps. Those that are compared with one another follow
 /// one another: star lists leave cold caches behind.
-pub const CONTENDERS: [Contender; 12] = [
+pub const CONTENDERS: [Contender; 16] = [
     FLAT,
     LUT,
     LUT_FALL,
@@ -49,6 +58,10 @@ pub const CONTENDERS: [Contender; 12] = [
     FILTERED,
     FILTERED_FALL,
     FILTERED_ORBIT,
+    ANISOTROPIC,
+    LUT.in_other_pass(),
+    FILTERED.in_other_pass(),
+    ANISOTROPIC.in_other_pass(),
     LUT.with_stars(),
     FILTERED.with_stars(),
     plain(Deflection::Direct { step: 0.2 }),
@@ -62,6 +75,7 @@ const fn plain(deflection: Deflection) -> Contender {
         sampling: Sampling::Single,
         stars: false,
         motion: Motion::Rest,
+        other_pass: false,
     }
 }
 
@@ -74,13 +88,30 @@ impl Contender {
         }
     }
 
+    /// The same in the other kind of pass than the renderer's.
+    pub const fn in_other_pass(self) -> Self {
+        Contender {
+            other_pass: true,
+            ..self
+        }
+    }
+
+    /// The kind of pass that it is drawn in by a renderer that draws in `renderers`.
+    pub fn pass(self, renderers: Pass) -> Pass {
+        match (self.other_pass, renderers) {
+            (false, pass) => pass,
+            (true, Pass::Compute) => Pass::Fragment,
+            (true, Pass::Fragment) => Pass::Compute,
+        }
+    }
+
     /// The same for a camera in motion.
     const fn in_motion(self, motion: Motion) -> Self {
         Contender { motion, ..self }
     }
 
-    /// Its name.
-    pub fn name(self) -> String {
+    /// Its name, for a renderer that draws in `renderers`.
+    pub fn name(self, renderers: Pass) -> String {
         let deflection = match self.deflection {
             Deflection::Flat => "flat".into(),
             Deflection::Lut => "lut".into(),
@@ -90,12 +121,18 @@ impl Contender {
         let filtered = match self.sampling {
             Sampling::Single => "",
             Sampling::Filtered => " filtered",
+            Sampling::Anisotropic => " anisotropic",
         };
         let stars = if self.stars { " with stars" } else { "" };
         let motion = match self.motion {
             Motion::Rest => String::new(),
             motion => format!(" in {motion}"),
         };
-        format!("{deflection}{filtered}{stars}{motion}")
+        let pass = match (self.other_pass, self.pass(renderers)) {
+            (false, _) => "",
+            (true, Pass::Compute) => " by compute",
+            (true, Pass::Fragment) => " by fragments",
+        };
+        format!("{deflection}{filtered}{stars}{motion}{pass}")
     }
 }

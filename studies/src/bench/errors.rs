@@ -21,6 +21,8 @@ pub(super) async fn largest(renderer: &Renderer, table: &Table) -> Result<Vec<f6
         for (contender, largest) in CONTENDERS.iter().zip(&mut largest) {
             let (lens, reference) = references.of(contender.motion)?;
             let trace = renderer
+                .clone()
+                .in_pass(contender.pass(renderer.pass()))
                 .trace(&lens.with_deflection(contender.deflection), |_| ())
                 .await?;
             let statistics = TraceStatistics::of(&reference.errors(&trace, &reference.trace()));

@@ -16,7 +16,7 @@ use crate::gpu_time::{FrameTime, Timer};
 use lensbake_core::Motion;
 use lensbake_render::camera::{Camera, CameraError, View};
 use lensbake_render::gpu::{
-    FrameContent, GpuError, RealtimeRenderer, Renderer, SkyOnDevice, StarsOnDevice,
+    FrameContent, GpuError, Pass, RealtimeRenderer, Renderer, SkyOnDevice, StarsOnDevice,
 };
 use lensbake_render::lens::{Deflection, Lens, LensError};
 use lensbake_render::scene::Scene;
@@ -34,6 +34,9 @@ pub const RADII: (f64, f64) = (2.5, 37.5);
 pub const SIZES: [(u32, u32); 4] = [(480, 270), (960, 540), (1920, 1080), (3840, 2160)];
 /// Frames of each contender drawn before timing starts: the first dispatch may still compile shaders.
 const WARM_UP: u32 = 2;
+
+/// The kinds of passes, in the order of `Flight::realtimes`.
+const PASSES: [Pass; 2] = [Pass::Compute, Pass::Fragment];
 
 /// How much to measure.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,6 +69,8 @@ pub struct Bench {
     pub adapter: String,
     /// Whether the adapter is software on the CPU, whose times are not those of a GPU.
     pub software: bool,
+    /// The kind of pass that the renderer draws in.
+    pub pass: Pass,
     /// Largest error of the rays of each of [`CONTENDERS`] on the flight, in image-space pixels.
     pub errors: Vec<f64>,
     /// Measurements by size, then by contender.
@@ -127,7 +132,11 @@ pub async fn run(
         table,
         sky: renderer.upload_sky(sky).await?,
         stars: renderer.upload_stars(stars),
-        realtimes: [(); 2].map(|()| RealtimeRenderer::new(renderer.clone(), [1, 1])),
+        pass: renderer.pass(),
+        realtimes: PASSES.map(|pass| {
+            let renderer = renderer.clone().in_pass(pass);
+            [(); 2].map(|()| RealtimeRenderer::new(renderer.clone(), [1, 1]))
+        }),
     };
     let mut entries = Vec::new();
     for (i, &size) in workload.sizes.iter().enumerate() {
@@ -145,6 +154,7 @@ pub async fn run(
     Ok(Bench {
         adapter: gpu.name(),
         software: gpu.is_software(),
+        pass: renderer.pass(),
         errors,
         entries,
     })
@@ -156,8 +166,11 @@ struct Flight<'a> {
     table: &'a Table,
     sky: SkyOnDevice,
     stars: StarsOnDevice,
-    /// One for each shape of row: a change of shape creates resources anew, which no window does from frame to frame.
-    realtimes: [RealtimeRenderer; 2],
+    /// The kind of pass of contenders that ask for none.
+    pass: Pass,
+    /// For each kind of pass, one for each shape of row: a change of shape creates resources anew, which no window does
+    /// from frame to frame.
+    realtimes: [[RealtimeRenderer; 2]; PASSES.len()],
 }
 
 impl Flight<'_> {
@@ -168,7 +181,7 @@ impl Flight<'_> {
         workload: &Workload,
         round_done: impl Fn(f64),
     ) -> Result<Vec<Vec<FrameTime>>, BenchError> {
-        for realtime in &mut self.realtimes {
+        for realtime in self.realtimes.as_flattened_mut() {
             realtime.set_room([size.0, size.1]);
         }
         for contender in CONTENDERS {
@@ -209,7 +222,9 @@ impl Flight<'_> {
             stars: contender.stars.then(|| self.stars.clone()),
             rendition: Rendition::default(),
         };
-        let realtime = &mut self.realtimes[usize::from(contender.motion == Motion::Fall)];
+        let pass = usize::from(contender.pass(self.pass) == Pass::Fragment);
+        let shape = usize::from(contender.motion == Motion::Fall);
+        let realtime = &mut self.realtimes[pass][shape];
         realtime.show(&scene, FrameContent::Picture);
         let gpu = self.timer.time(realtime).await?.gpu;
         let wall = started.elapsed();

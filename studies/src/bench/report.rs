@@ -1,8 +1,8 @@
 //! The benchmark as a table for a terminal, as CSV and as JSON.
 
 use super::contender::{
-    CONTENDERS, Contender, FILTERED, FILTERED_FALL, FILTERED_ORBIT, FINEST, FLAT, LUT, LUT_FALL,
-    LUT_ORBIT,
+    ANISOTROPIC, CONTENDERS, Contender, FILTERED, FILTERED_FALL, FILTERED_ORBIT, FINEST, FLAT, LUT,
+    LUT_FALL, LUT_ORBIT,
 };
 use super::{Bench, MeasuredContender};
 use crate::figure::csv::quoted;
@@ -22,7 +22,7 @@ pub fn text(bench: &Bench) -> String {
             }
         ),
         format!(
-            "{:>10}  {:<23} {:>9} {:>9} {:>9} {:>9} {:>8}  {:>8}",
+            "{:>10}  {:<28} {:>9} {:>9} {:>9} {:>9} {:>8}  {:>8}",
             "size", "method", "fps", "least fps", "T_ray", "by wall", "/ flat", "error px"
         ),
     ];
@@ -31,7 +31,7 @@ pub fn text(bench: &Bench) -> String {
             .gpu_ns_per_ray
             .map_or("–".into(), |ns| format!("{ns:.2} ns"));
         format!(
-            "{:>10}  {:<23} {:>9.2} {:>9.2} {:>9} {:>9} {:>8.2}  {:>8.1e}",
+            "{:>10}  {:<28} {:>9.2} {:>9.2} {:>9} {:>9} {:>8.2}  {:>8.1e}",
             format!("{}x{}", row.width, row.height),
             row.method,
             row.average_fps,
@@ -50,7 +50,8 @@ pub fn text(bench: &Bench) -> String {
 fn ratios(bench: &Bench, size: (u32, u32)) -> String {
     let ratio = |what: Contender, over: Contender| {
         let ratio = bench.entry(size, what).over(bench.entry(size, over));
-        format!("{} / {} {ratio:.2}", what.name(), over.name())
+        let name = |contender: Contender| contender.name(bench.pass);
+        format!("{} / {} {ratio:.2}", name(what), name(over))
     };
     let ratios = [
         ratio(LUT, FLAT),
@@ -62,6 +63,10 @@ fn ratios(bench: &Bench, size: (u32, u32)) -> String {
         ratio(LUT_ORBIT, LUT),
         ratio(FILTERED_FALL, FILTERED),
         ratio(FILTERED_ORBIT, FILTERED),
+        ratio(ANISOTROPIC, FILTERED),
+        ratio(LUT.in_other_pass(), LUT),
+        ratio(FILTERED.in_other_pass(), FILTERED),
+        ratio(ANISOTROPIC.in_other_pass(), ANISOTROPIC),
     ];
     format!("{}x{}: {}", size.0, size.1, ratios.join(", "))
 }
@@ -157,7 +162,7 @@ impl Bench {
             Row {
                 width: entry.size.0,
                 height: entry.size.1,
-                method: entry.contender.name(),
+                method: entry.contender.name(self.pass),
                 frames: measured.frames,
                 average_fps: measured.average_fps,
                 minimum_fps: measured.minimum_fps,
@@ -175,6 +180,7 @@ impl Bench {
 mod tests {
     use super::*;
     use crate::bench::Measured;
+    use lensbake_render::gpu::Pass;
 
     fn bench(gpu_ns_per_ray: Option<f64>) -> Bench {
         let entry = |contender| MeasuredContender {
@@ -193,6 +199,7 @@ mod tests {
         Bench {
             adapter: "an adapter, named".into(),
             software: true,
+            pass: Pass::Compute,
             errors: vec![0.5; CONTENDERS.len()],
             entries: CONTENDERS.map(entry).into(),
         }
@@ -210,7 +217,9 @@ mod tests {
             assert_eq!(json["entries"][1]["method"], "lut");
             let text = text(&bench);
             assert!(
-                CONTENDERS.iter().all(|one| text.contains(&one.name())),
+                CONTENDERS
+                    .iter()
+                    .all(|one| text.contains(&one.name(bench.pass))),
                 "{text}"
             );
         }

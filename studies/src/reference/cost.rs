@@ -23,9 +23,11 @@ pub struct Cost {
     pub single: FrameTimes,
     /// The mean over each pixel.
     pub filtered: FrameTimes,
+    /// The same by the anisotropic filter of the hardware.
+    pub anisotropic: FrameTimes,
 }
 
-/// Times both samplings in turns, at a camera of `radius` that looks at the hole, or below r = 3 at the edge of
+/// Times the samplings in turns, at a camera of `radius` that looks at the hole, or below r = 3 at the edge of
 /// its shadow.
 ///
 /// # Errors
@@ -46,28 +48,34 @@ pub async fn cost(
     let lens = Lens::new(Camera::new(&view)?, default_atlas(), Deflection::Lut)?;
     let scene = renderer.upload(&Scene::new(lens, sky.clone())).await?;
     let rays = scene.lens.camera.pixels();
-    let frames = [Sampling::Single, Sampling::Filtered]
+    let frames = [Sampling::Single, Sampling::Filtered, Sampling::Anisotropic]
         .map(|sampling| renderer.prepare(&scene.clone().with_sampling(sampling)));
     let times = interleaved(renderer.gpu(), &frames, rays, ROUNDS, || ()).await?;
     Ok(Cost {
         radius,
         single: times[0],
         filtered: times[1],
+        anisotropic: times[2],
     })
 }
 
 impl fmt::Display for Cost {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let (single, filtered) = (self.single.best(), self.filtered.best());
+        let anisotropic = self.anisotropic.best();
         write!(
             f,
-            "r = {:<5} one ray {:6.2} ns per pixel (spread {:.0} %), filtered {:6.2} ns ({:.0} %): {:.2} times",
+            "r = {:<5} one ray {:6.2} ns per pixel (spread {:.0} %), filtered {:6.2} ns ({:.0} %): {:.2} times, \
+             anisotropic {:6.2} ns ({:.0} %): {:.2} times",
             self.radius,
             single.ns,
             100.0 * single.spread,
             filtered.ns,
             100.0 * filtered.spread,
             filtered.ns / single.ns,
+            anisotropic.ns,
+            100.0 * anisotropic.spread,
+            anisotropic.ns / single.ns,
         )
     }
 }

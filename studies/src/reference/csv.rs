@@ -7,7 +7,7 @@ use crate::figure::csv::quoted;
 pub const HEAD: &str =
     "sky,view,sampling,whole_screen,whole_linear,edge_screen,edge_linear,edge_pixels\n";
 
-/// The two lines of a study with the sky of this name, one per sampling.
+/// The three lines of a study with the sky of this name, one per sampling.
 pub fn lines(sky: &str, study: &Study) -> String {
     let line = |sampling, entry: &SampledPicture| {
         let (whole, edge) = (entry.error.whole, entry.error.beside_edge);
@@ -20,5 +20,7 @@ pub fn lines(sky: &str, study: &Study) -> String {
             edge.pixels
         )
     };
-    line("filtered", &study.filtered) + &line("single", &study.single)
+    line("filtered", &study.filtered)
+        + &line("anisotropic", &study.anisotropic)
+        + &line("single", &study.single)
 }

@@ -48,6 +48,8 @@ pub struct Study {
     pub reference: Picture,
     /// The picture of the mean over each pixel.
     pub filtered: SampledPicture,
+    /// The same by the anisotropic filter of the hardware.
+    pub anisotropic: SampledPicture,
     /// The picture of one ray per pixel.
     pub single: SampledPicture,
 }
@@ -138,6 +140,7 @@ pub async fn study(
     };
     Ok(Study {
         filtered: sampled(Sampling::Filtered).await?,
+        anisotropic: sampled(Sampling::Anisotropic).await?,
         single: sampled(Sampling::Single).await?,
         case,
         lens: scene.lens.clone(),

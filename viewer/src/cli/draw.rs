@@ -1,6 +1,6 @@
 //! Options of the window, of `render`, `diff` and `catalogue`, and of point stars.
 
-use super::scene::{MethodName, SamplingName, SceneArgs, ViewArgs};
+use super::scene::{MethodName, PassName, SamplingName, SceneArgs, ViewArgs};
 use super::values::{Exposure, exposure, size, stars, stops};
 use clap::Args;
 use clap::builder::{OsStringValueParser, TypedValueParser};
@@ -19,9 +19,13 @@ pub struct RenderArgs {
     /// Deflection method: table lookup, direct integration, or no deflection.
     #[arg(long, value_enum, default_value_t = MethodName::Lut)]
     pub method: MethodName,
-    /// What a pixel shows: the mean over its area, or one ray through its centre.
+    /// What a pixel shows: the mean over its area, the same by the anisotropic filter of the GPU, or one ray through its
+    /// centre.
     #[arg(long, value_enum, default_value_t = SamplingName::Filtered)]
     pub sampling: SamplingName,
+    /// Kind of passes in which the GPU draws [default: compute, where the GPU has compute shaders].
+    #[arg(long, value_enum)]
+    pub pass: Option<PassName>,
     /// Exposure of a .png in stops, from -32 to 32; each stop doubles the brightness. `auto` makes up for the mean
     /// brightness of the frequency shift. An .exr is not affected.
     #[arg(long, value_name = "EV|auto", default_value = "0", allow_negative_numbers = true, value_parser = exposure)]
@@ -110,6 +114,9 @@ pub struct WindowArgs {
     /// Fill the screen.
     #[arg(long)]
     pub fullscreen: bool,
+    /// Kind of passes in which the GPU draws [default: compute, where the GPU has compute shaders].
+    #[arg(long, value_enum)]
+    pub pass: Option<PassName>,
     /// View and sky at the start.
     #[command(flatten)]
     pub view: ViewArgs,

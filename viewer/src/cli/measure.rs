@@ -1,6 +1,6 @@
 //! Options of the commands that measure: `chart`, `bench`, `reference` and `flicker`.
 
-use super::scene::DeviceName;
+use super::scene::{DeviceName, PassName};
 use super::values::size;
 use clap::Args;
 use lensbake_core::Motion;
@@ -45,6 +45,9 @@ pub struct BenchArgs {
     /// Least number of frames of each method at each size, however long they take.
     #[arg(long, value_name = "N", default_value_t = 15, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub rounds: u32,
+    /// Kind of passes in which the GPU draws, except where the name of a method says otherwise [default: compute, where the GPU has compute shaders].
+    #[arg(long, value_enum)]
+    pub pass: Option<PassName>,
     /// File to write the results to as CSV; with -, they go to standard output and the report to standard error.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,

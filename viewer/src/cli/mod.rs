@@ -7,7 +7,7 @@ mod values;
 
 pub use draw::{CatalogueArgs, DiffArgs, PICTURE, RenderArgs, StarArgs, WindowArgs};
 pub use measure::{BenchArgs, ChartArgs, FlickerArgs, ReferenceArgs};
-pub use scene::{DeviceName, MethodName, SamplingName, SceneArgs, ViewArgs};
+pub use scene::{DeviceName, MethodName, PassName, SamplingName, SceneArgs, ViewArgs};
 pub use values::Exposure;
 
 use clap::{Parser, Subcommand};

@@ -5,7 +5,9 @@ use clap::builder::{OsStringValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use lensbake_core::Motion;
 use lensbake_render::camera::View;
+use lensbake_render::gpu::Pass;
 use lensbake_render::lens::Deflection;
+use lensbake_render::scene::Sampling;
 use lensbake_render::shift::Shift;
 use lensbake_render::sky::SkySource;
 use std::path::PathBuf;
@@ -157,6 +159,36 @@ pub enum SamplingName {
     Single,
     /// The mean over its area.
     Filtered,
+    /// The mean over its area by the anisotropic filter of the GPU, which is fast where the GPU has one in hardware.
+    Anisotropic,
+}
+
+impl From<SamplingName> for Sampling {
+    fn from(name: SamplingName) -> Self {
+        match name {
+            SamplingName::Single => Sampling::Single,
+            SamplingName::Filtered => Sampling::Filtered,
+            SamplingName::Anisotropic => Sampling::Anisotropic,
+        }
+    }
+}
+
+/// Kind of passes in which a GPU draws.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum PassName {
+    /// Compute passes.
+    Compute,
+    /// Render passes, as in WebGL2.
+    Fragment,
+}
+
+impl From<PassName> for Pass {
+    fn from(name: PassName) -> Self {
+        match name {
+            PassName::Compute => Pass::Compute,
+            PassName::Fragment => Pass::Fragment,
+        }
+    }
 }
 
 /// Device to draw on.

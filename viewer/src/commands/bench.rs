@@ -1,10 +1,10 @@
 //! `viewer bench`: measures frames per second and time per ray on this machine's GPU.
 
-use super::CommandError;
+use super::{CommandError, renderer};
 use crate::cli::BenchArgs;
 use lensbake_program::output::Output;
 use lensbake_program::{Outcome, Printer, Progress, message};
-use lensbake_render::gpu::{Gpu, Renderer};
+use lensbake_render::gpu::Gpu;
 use lensbake_render::sky::{self, SkySource};
 use lensbake_render::stars::{StarField, hipparcos};
 use lensbake_studies::bench::{self, SIZES, Workload, report};
@@ -30,7 +30,7 @@ pub fn run(args: &BenchArgs) -> Result<Outcome, CommandError> {
         swing: Duration::from_secs_f64(args.seconds.max(1e-3)),
         rounds: args.rounds,
     };
-    let renderer = Renderer::new(&block_on(Gpu::open())?);
+    let renderer = renderer(&block_on(Gpu::open())?, args.pass)?;
     let sky = sky::load(&SkySource::Nebula)?;
     let stars = StarField::new(&hipparcos(), 0.0);
     let progress = Progress::new("measuring", STEPS as u64);

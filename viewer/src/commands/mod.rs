@@ -10,12 +10,12 @@ pub mod reference;
 pub mod render;
 pub mod window;
 
-use crate::cli::{DeviceName, SceneArgs, StarArgs, ViewArgs};
+use crate::cli::{DeviceName, PassName, SceneArgs, StarArgs, ViewArgs};
 use lensbake_core::CoreError;
 use lensbake_program::output::{Output, OutputError};
 use lensbake_program::{PrintError, message};
 use lensbake_render::camera::{Camera, CameraError};
-use lensbake_render::gpu::{Gpu, GpuError};
+use lensbake_render::gpu::{Gpu, GpuError, Pass, Renderer};
 use lensbake_render::lens::{Deflection, Lens, LensError};
 use lensbake_render::model::Precision;
 use lensbake_render::picture::PictureError;
@@ -98,6 +98,17 @@ pub enum CommandError {
     /// The budget is not a positive number.
     #[error("--budget-px {0} is not a positive number of pixels")]
     Budget(f64),
+    /// The CPU has no anisotropic filter.
+    #[error(
+        "--sampling anisotropic needs a GPU, whose filter it is; on the CPU use --sampling filtered"
+    )]
+    AnisotropicOnCpu,
+    /// The CPU draws in no passes.
+    #[error("--pass {0} needs a GPU; leave it out to draw on the CPU")]
+    PassOnCpu(String),
+    /// The GPU has no compute shaders.
+    #[error("--pass compute: the GPU {0} has no compute shaders; use --pass fragment")]
+    NoCompute(String),
     /// Standard output cannot be written.
     #[error(transparent)]
     Print(#[from] PrintError),
@@ -192,6 +203,19 @@ fn gpu(device: DeviceName) -> Result<Option<Gpu>, GpuError> {
             }
         },
     }
+}
+
+/// A renderer that draws in `pass`, if one is asked for.
+fn renderer(gpu: &Gpu, pass: Option<PassName>) -> Result<Renderer, CommandError> {
+    let renderer = Renderer::new(gpu);
+    let Some(pass) = pass else {
+        return Ok(renderer);
+    };
+    let renderer = renderer.in_pass(pass.into());
+    if pass == PassName::Compute && renderer.pass() != Pass::Compute {
+        return Err(CommandError::NoCompute(gpu.name()));
+    }
+    Ok(renderer)
 }
 
 /// Rounding error of 32-bit floats above which it may be visible, pixels.

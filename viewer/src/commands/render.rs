@@ -1,11 +1,12 @@
 //! `viewer render`: draws a picture to a file.
 
-use super::{CommandError, gpu_for, least, lens, spare_inputs, star_field};
+use super::{CommandError, gpu_for, least, lens, renderer, spare_inputs, star_field};
 use crate::cli::{DeviceName, Exposure, MethodName, RenderArgs, SamplingName, ViewArgs};
+use clap::ValueEnum;
 use lensbake_program::output::Output;
 use lensbake_program::{Outcome, Printer, Progress, message};
 use lensbake_render::filter::FilteredPixels;
-use lensbake_render::gpu::{Gpu, GpuError, Renderer};
+use lensbake_render::gpu::{GpuError, Renderer};
 use lensbake_render::lens::{Deflection, Lens};
 use lensbake_render::model::DEFAULT_BUDGET_PX;
 use lensbake_render::picture::{Picture, PictureFormat, WithoutValue};
@@ -28,15 +29,17 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     };
     let budget_px = args.budget_px.unwrap_or(DEFAULT_BUDGET_PX);
     least::check_budget(budget_px)?;
-    let sampling = match args.sampling {
-        SamplingName::Single => Sampling::Single,
-        SamplingName::Filtered => Sampling::Filtered,
-    };
+    check_device(args, args.scene.device == DeviceName::Cpu)?;
     let file = PictureFile::new(&args.output, &args.scene.view, args.stars.stars.as_ref())?;
     let mut lens = lens(&args.scene, method)?;
     let sky = sky::load(&args.scene.view.sky)?;
     let stars = star_field(&args.stars, &args.scene.view.sky)?;
     let gpu = gpu_for(args.scene.device, &lens.camera)?;
+    check_device(args, gpu.is_none())?;
+    let renderer = gpu
+        .as_ref()
+        .map(|gpu| renderer(gpu, args.pass))
+        .transpose()?;
     let mut printer = Printer::new(file.output.is_standard_output());
     let mut outcome = Outcome::Done;
     if args.explain || args.budget_px.is_some() {
@@ -54,17 +57,17 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     let (rendition, exposure) = exposed(args, &lens, file.format);
     let scene = Scene {
         lens,
-        sampling,
+        sampling: args.sampling.into(),
         sky: sky.into(),
         stars: stars.map(Into::into),
         rendition,
     };
     let started = Instant::now();
-    let (picture, device) = draw(gpu, args.scene.device, &scene)?;
+    let (picture, device) = draw(renderer, args.scene.device, &scene)?;
     let seconds = started.elapsed().as_secs_f64();
     file.write(&picture, exposure)?;
     message!("drawn on {device} in {seconds:.3} s");
-    if scene.sampling == Sampling::Filtered {
+    if scene.sampling.averages() {
         message!("{}", extra_rays(&scene.lens));
     }
     message!("wrote {}", file.output.name());
@@ -74,6 +77,20 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     }
     printer.finish()?;
     Ok(outcome)
+}
+
+/// Checks that the CPU is not asked for what only a GPU has.
+fn check_device(args: &RenderArgs, on_cpu: bool) -> Result<(), CommandError> {
+    if !on_cpu {
+        return Ok(());
+    }
+    if args.sampling == SamplingName::Anisotropic {
+        return Err(CommandError::AnisotropicOnCpu);
+    }
+    match args.pass.and_then(|pass| pass.to_possible_value()) {
+        Some(pass) => Err(CommandError::PassOnCpu(pass.get_name().to_owned())),
+        None => Ok(()),
+    }
 }
 
 /// The rendition of the picture, and the exposure of its file in stops. Automatic exposure is part of the rendition of a
@@ -143,26 +160,26 @@ fn extra_rays(lens: &Lens) -> String {
 /// Draws `scene` on the GPU if there is one, else on the CPU; returns the picture and the name of the device. If
 /// the GPU has no room for all images of stars, draws on the CPU instead, unless the user asked for the GPU.
 fn draw(
-    gpu: Option<Gpu>,
+    renderer: Option<Renderer>,
     asked_for: DeviceName,
     scene: &Scene,
 ) -> Result<(Picture, String), CommandError> {
-    if let Some(gpu) = gpu {
-        match on_gpu(&gpu, scene) {
-            Err(GpuError::TooManyStars) if asked_for == DeviceName::Auto => {
+    if let Some(renderer) = renderer {
+        let on_cpu = asked_for == DeviceName::Auto && scene.sampling != Sampling::Anisotropic;
+        match on_gpu(&renderer, scene) {
+            Err(GpuError::TooManyStars) if on_cpu => {
                 message!(
                     "viewer: drawing on the CPU: the GPU has no room for so many images of stars"
                 );
             }
-            drawn => return Ok((drawn?, gpu.name())),
+            drawn => return Ok((drawn?, renderer.gpu().name())),
         }
     }
     Ok((on_cpu(scene), "the CPU".into()))
 }
 
-fn on_gpu(gpu: &Gpu, scene: &Scene) -> Result<Picture, GpuError> {
+fn on_gpu(renderer: &Renderer, scene: &Scene) -> Result<Picture, GpuError> {
     let progress = Progress::new("drawing", scene.lens.camera.height.into());
-    let renderer = Renderer::new(gpu);
     let picture = renderer.picture(scene, |rows| progress.reach(rows.into()));
     let picture = block_on(picture)?;
     progress.finish();

@@ -34,6 +34,7 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
         table: table.into_owned(),
         table_name,
         fullscreen: args.fullscreen,
+        pass: args.pass.map(Into::into),
     });
     match ended {
         Err(error) if error.is_no_window() => {
@@ -52,6 +53,7 @@ fn instead(args: &WindowArgs) -> RenderArgs {
         output: PICTURE.into(),
         method: MethodName::Lut,
         sampling: SamplingName::Filtered,
+        pass: args.pass,
         exposure: Exposure::Stops(0.0),
         budget_px: None,
         explain: false,

@@ -6,7 +6,7 @@ use super::open_window::{OpenWindow, Start};
 use lensbake_interactive::settings::Settings;
 use lensbake_interactive::state::{NamedTable, Refusal, State};
 use lensbake_render::camera::{Camera, View};
-use lensbake_render::gpu::Gpu;
+use lensbake_render::gpu::{Gpu, Pass};
 use lensbake_render::shift::Shift;
 use lensbake_render::sky::{self, SkySource};
 use lensbake_render::stars::StarField;
@@ -37,6 +37,8 @@ pub struct Options {
     pub table_name: String,
     /// Whether the window fills the screen.
     pub fullscreen: bool,
+    /// The kind of passes that draw the picture; `None` for the device's default.
+    pub pass: Option<Pass>,
 }
 
 /// Opens the window and returns when it is closed.
@@ -63,6 +65,7 @@ pub fn run(options: Options) -> Result<(), WindowError> {
             state,
             size: [options.view.width, options.view.height],
             fullscreen: options.fullscreen,
+            pass: options.pass,
             sky,
             source: options.sky,
             stars: options.stars,

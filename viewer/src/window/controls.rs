@@ -136,6 +136,7 @@ fn choices(ui: &mut Ui, settings: &mut Settings, facts: &PanelInfo) -> Option<us
             ui.selectable_value(&mut settings.sampling, sampling, name);
         };
         choice(Sampling::Filtered, "its mean");
+        choice(Sampling::Anisotropic, "anisotropic");
         choice(Sampling::Single, "one ray");
     });
     ui.end_row();

@@ -15,7 +15,7 @@ use lensbake_interactive::stage::{Frame, Stage, drawable_size};
 use lensbake_interactive::state::{NamedTable, State};
 use lensbake_interactive::title;
 use lensbake_program::message;
-use lensbake_render::gpu::Gpu;
+use lensbake_render::gpu::{Gpu, Pass, Renderer};
 use lensbake_render::sky::{self, Sky, SkySource};
 use lensbake_render::stars::StarField;
 use pollster::block_on;
@@ -34,6 +34,8 @@ pub struct Start {
     pub size: [u32; 2],
     /// Whether the window fills the screen.
     pub fullscreen: bool,
+    /// The kind of passes that draw the picture; `None` for the device's default.
+    pub pass: Option<Pass>,
     /// The sky.
     pub sky: Sky,
     /// Source of the sky.
@@ -77,9 +79,11 @@ impl OpenWindow {
             .map_err(|e| WindowError::no_screen(&e))?;
         let window = Arc::new(window);
         let (gpu, surface) = block_on(Gpu::open_for(window.clone()))?;
+        let pass = start.pass.unwrap_or_else(|| Pass::default_on(&gpu));
+        let renderer = Renderer::with_pass(&gpu, pass);
         let size = window.inner_size();
         let size = [size.width, size.height];
-        let (stage, on_device) = block_on(Stage::new(gpu, surface, size, &start.sky))?;
+        let (stage, on_device) = block_on(Stage::new(renderer, surface, size, &start.sky))?;
         let panel = Panel::new(&window, stage.gpu(), stage.format());
         let mut session = Session::new(start.state, stage, start.source, on_device);
         session.stars_everywhere = start.stars_everywhere;
