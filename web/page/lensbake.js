@@ -50,6 +50,7 @@ class View {
         this.module = module;
         this.options = options;
         this.viewer = null;
+        this.last = { ...options.settings };
         this.request = 0;
         this.timer = 0;
         this.losses = [];
@@ -72,8 +73,7 @@ class View {
         const lost = (event) => this.contextLost(event);
         this.canvas.addEventListener('webglcontextlost', lost);
         this.stop.push(() => this.canvas.removeEventListener('webglcontextlost', lost));
-        const settings = { ...this.options.settings };
-        await this.openViewer(settings);
+        await this.openViewer(this.last);
         this.stop.push(
             listen(this.canvas, this.options, {
                 viewer: () => this.viewer,
@@ -174,13 +174,17 @@ class View {
         }
     }
 
-    /** What the next viewer is opened with. */
+    /** The settings that differ from the defaults; those of the last viewer while there is none. */
     settings() {
+        if (this.viewer === null) {
+            return this.last;
+        }
         const changed = this.viewer.changedSettings();
         const settings = {};
         for (let i = 0; i < changed.length; i += 2) {
             settings[changed[i]] = changed[i + 1];
         }
+        this.last = settings;
         return settings;
     }
 
@@ -288,7 +292,7 @@ class View {
             /** The value of a setting as a text, or undefined. */
             get: (name) => this.viewer?.get(name),
             /** The settings that differ from the defaults, as an object. */
-            settings: () => (this.viewer === null ? {} : this.settings()),
+            settings: () => this.settings(),
             /** What a panel shows. */
             panel: () => (this.viewer === null ? null : JSON.parse(this.viewer.panel())),
             reset: changing(() => this.viewer.reset()),

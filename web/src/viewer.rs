@@ -7,6 +7,7 @@ use keyboard_types::Code;
 use lensbake_interactive::input::{self, Button, Input, KeyChange, Reaction};
 use lensbake_interactive::keys::{self, BINDINGS, Command, MOUSE};
 use lensbake_interactive::meter::Meter;
+use lensbake_interactive::parameters::ParameterError;
 use lensbake_interactive::plan::Plan;
 use lensbake_interactive::resolution::Resolution;
 use lensbake_interactive::session::Session;
@@ -381,7 +382,10 @@ impl Viewer {
             }
             _ => {
                 let settings = &mut self.session.state.settings;
-                settings.set_parameter(name, text).map_err(error)?;
+                settings.set_parameter(name, text).map_err(|e| match e {
+                    ParameterError::Unknown(_) => error(format!("{e}, sky, stars")),
+                    ParameterError::NoValue { .. } => error(e),
+                })?;
                 self.settle();
             }
         }
