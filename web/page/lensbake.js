@@ -51,6 +51,7 @@ class View {
         this.options = options;
         this.viewer = null;
         this.last = { ...options.settings };
+        this.frames = 0;
         this.request = 0;
         this.timer = 0;
         this.losses = [];
@@ -108,6 +109,7 @@ class View {
                 this.say(error.message);
             }
         }
+        viewer.settle();
         this.redraw();
     }
 
@@ -137,6 +139,7 @@ class View {
             this.broken(error);
             return;
         }
+        this.frames += 1;
         if (state === FrameState.Moving) {
             this.redraw();
         } else if (state !== FrameState.Still) {
@@ -287,7 +290,11 @@ class View {
             /** Sets a setting, or several as an object. A value that cannot be drawn is told in a message. Throws if there is no such setting, or it has no such value. */
             set: changing((name, value) => {
                 const all = typeof name === 'object' ? Object.entries(name) : [[name, value]];
-                all.forEach(([one, of]) => this.viewer.set(one, String(of)));
+                try {
+                    all.forEach(([one, of]) => this.viewer.set(one, String(of)));
+                } finally {
+                    this.viewer.settle();
+                }
             }),
             /** The value of a setting as a text, or undefined. */
             get: (name) => this.viewer?.get(name),
@@ -310,6 +317,10 @@ class View {
             },
             get adapter() {
                 return view.viewer?.adapter;
+            },
+            /** Number of frames drawn. */
+            get frames() {
+                return view.frames;
             },
             /** Whether stars can be drawn as points. */
             get drawsStars() {

@@ -363,8 +363,8 @@ impl Viewer {
     /// Sets a setting.
     ///
     /// # Errors
-    /// If there is no such setting, or `text` is no value of it. A value that cannot be drawn is told in a message, and
-    /// the setting keeps its value.
+    /// If there is no such setting, or `text` is no value of it. [`Viewer::settle`] checks whether it can be drawn, because
+    /// several settings may be possible only together.
     pub fn set(&mut self, name: &str, text: &str) -> Result<(), JsError> {
         match name {
             "sky" => {
@@ -386,10 +386,16 @@ impl Viewer {
                     ParameterError::Unknown(_) => error(format!("{e}, sky, stars")),
                     ParameterError::NoValue { .. } => error(e),
                 })?;
-                self.settle();
             }
         }
         Ok(())
+    }
+
+    /// Keeps the settings that can be drawn and reverts the others, with a message.
+    pub fn settle(&mut self) {
+        if let Some(why) = self.session.state.settle() {
+            self.say(why);
+        }
     }
 
     /// The settings that differ from those of a page without any, as names and values in turn.
@@ -521,12 +527,6 @@ impl Viewer {
     fn select(&mut self, index: usize) {
         if let Selected::Load(source) = self.session.select_sky(index) {
             self.wanted_sky = Some(source.name());
-        }
-    }
-
-    fn settle(&mut self) {
-        if let Some(why) = self.session.state.settle() {
-            self.say(why);
         }
     }
 

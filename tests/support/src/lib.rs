@@ -1,6 +1,7 @@
 //! Shared by the tests of several packages: running the real programs, their windows and pipes, damaged files, and
 //! tables made for a test.
 
+pub mod browser;
 mod damaged;
 #[cfg(target_os = "linux")]
 pub mod desktop;

@@ -1,7 +1,7 @@
 //! The texts in GLSL and WGSL, and the module for three.js, in Chromium; and the pages.
 
 use super::rays::{Errors, RADII, Ray, rays, rows};
-use super::{F32_BOUND, HINT, SIMPLE_BOUND, bytes_as, report};
+use super::{F32_BOUND, SIMPLE_BOUND, bytes_as, report};
 use half::f16;
 use lensbake_render::camera::View;
 use lensbake_render::cpu;
@@ -9,42 +9,24 @@ use lensbake_render::lens::Deflection;
 use lensbake_render::picture::PictureFormat;
 use lensbake_render::scene::Scene;
 use lensbake_render::sky::{self, SkySource};
-use lensbake_test_support::{fetched, workspace};
+use lensbake_test_support::{browser, workspace};
 use lensbake_tests::lens;
 use serde_json::{Value, json};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::{Arc, Mutex, MutexGuard};
+use std::sync::Arc;
 use tempfile::TempDir;
 
-/// One browser at a time: each draws on all cores.
-static BROWSER: Mutex<()> = Mutex::new(());
-
-fn alone() -> MutexGuard<'static, ()> {
-    BROWSER
-        .lock()
-        .unwrap_or_else(|poisoned| poisoned.into_inner())
-}
-
-/// A script of tests/kit/browser, copied beside the packages that it imports, with its arguments. Returns its line of JSON.
+/// Runs a script of tests/kit/browser with its arguments. Returns its line of JSON.
 fn run(script: &str, arguments: &[&str]) -> Value {
-    let folder = fetched(env!("CARGO_TARGET_TMPDIR"));
-    for entry in fs::read_dir(workspace().join("tests/kit/browser")).unwrap() {
-        let path = entry.unwrap().path();
-        fs::copy(&path, folder.join(path.file_name().unwrap())).unwrap();
-    }
-    let package = fs::read_to_string(folder.join("package.json")).unwrap();
-    assert!(package.contains("playwright-core"), "{HINT}");
-    let output = Command::new("node")
-        .arg(folder.join(script))
-        .args(arguments)
-        .output()
-        .unwrap_or_else(|e| panic!("node: {e}: {HINT}"));
-    let [said, error] =
-        [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
-    assert!(output.status.success(), "{script}: {said}{error}");
-    serde_json::from_str(&said).unwrap()
+    browser::run(
+        env!("CARGO_TARGET_TMPDIR"),
+        &["tests/browser", "tests/kit/browser"],
+        Command::new("node"),
+        script,
+        arguments,
+    )
 }
 
 /// A file in `folder` with these bytes.
@@ -84,7 +66,6 @@ fn values(table: &str) -> impl Iterator<Item = f32> {
     ignore = "feature no-readers, or not Linux"
 )]
 fn texts_give_the_directions_in_webgl_and_in_webgpu() {
-    let _alone = alone();
     let folder = TempDir::new().unwrap();
     let (all, one) = (rays(&RADII), rays(&[10.0]));
     let [all_file, one_file] = [("all", &all), ("one", &one)]
@@ -224,7 +205,6 @@ fn viewer_picture(folder: &TempDir, panorama: &Path) -> PathBuf {
     ignore = "feature no-readers, or not Linux"
 )]
 fn the_page_draws_what_the_viewer_draws() {
-    let _alone = alone();
     let folder = TempDir::new().unwrap();
     let panorama = panorama(&folder);
     let viewer = viewer_picture(&folder, &panorama);
@@ -251,7 +231,6 @@ fn the_page_draws_what_the_viewer_draws() {
     ignore = "feature no-readers, or not Linux"
 )]
 fn the_page_answers_and_its_readme_and_the_text_for_shadertoy_draw() {
-    let _alone = alone();
     let folder = TempDir::new().unwrap();
     let kit = workspace().join("kit");
     let [three, shadertoy] = ["three", "shadertoy/lensbake.glsl"].map(|name| kit.join(name));

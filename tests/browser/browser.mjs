@@ -1,4 +1,4 @@
-// Starts Chromium without a screen, with WebGL2 and WebGPU in software, and serves files to it.
+// Starts Chromium with WebGL2 and WebGPU in software, and serves files to it.
 
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
@@ -19,10 +19,29 @@ const TYPES = {
     '.mjs': 'text/javascript; charset=utf-8',
     '.png': 'image/png',
     '.jpg': 'image/jpeg',
+    '.css': 'text/css; charset=utf-8',
+    '.wasm': 'application/wasm',
 };
 
-/** Starts the browser; the variable CHROMIUM names another program than Debian's. */
+/**
+ * Starts the browser without a screen; the variable CHROMIUM names another program than Debian's. Of a canvas drawn with
+ * WebGPU a browser without a screen takes empty screenshots: `startOnScreen` does not.
+ */
 export async function start() {
+    return launch(true, ['--use-webgpu-adapter=swiftshader', '--enable-features=Vulkan']);
+}
+
+/** As `start`, on the screen of the variable DISPLAY, which may be virtual. */
+export async function startOnScreen() {
+    return launch(false, [
+        '--enable-features=Vulkan',
+        '--use-vulkan=swiftshader',
+        '--ignore-gpu-blocklist',
+        '--disable-vulkan-surface',
+    ]);
+}
+
+async function launch(headless, more) {
     const args = [
         '--no-sandbox',
         '--disable-quic',
@@ -34,10 +53,9 @@ export async function start() {
         '--use-angle=swiftshader',
         '--enable-unsafe-swiftshader',
         '--enable-unsafe-webgpu',
-        '--use-webgpu-adapter=swiftshader',
-        '--enable-features=Vulkan',
+        ...more,
     ];
-    return chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', headless: true, args });
+    return chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', headless, args });
 }
 
 /**
