@@ -5,7 +5,7 @@ const PIXELS_A_NOTCH = 100;
 const LINES_A_NOTCH = 3;
 
 /** Elements that use keys themselves. */
-const TYPING = 'input, select, textarea, [contenteditable]';
+const TYPING = 'input, select, textarea, [contenteditable], dialog';
 /** Keys that move the focus, which a page leaves to the browser. */
 const LEFT_ALONE = ['Tab'];
 
@@ -39,7 +39,10 @@ function keyboard(target, view, on) {
         if (does === undefined) {
             return;
         }
-        event.preventDefault();
+        // To leave is left to the browser as well, which closes dialogs.
+        if (does !== 'leave') {
+            event.preventDefault();
+        }
         if (does === 'redraw') {
             view.changed();
         } else if (does !== '') {

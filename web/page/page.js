@@ -172,12 +172,10 @@ function respectReducedMotion() {
 }
 
 async function start() {
-    element('loading-text').textContent = 'loading';
     view = await createLensbake(canvas, {
         settings: address.settings,
         backend: address.ofPage.backend,
         keys: window,
-        progress,
         message: (text) => messages.say(text),
         command,
         drawn: () => {
@@ -198,12 +196,22 @@ async function start() {
     window.lensbake = view;
 }
 
-start().catch((error) => {
-    console.warn(error);
-    const offered = 'WebAssembly' in window && (('gpu' in navigator) || 'WebGL2RenderingContext' in window);
-    fail(
-        offered
-            ? `The view cannot be drawn here: ${error.message ?? error}`
-            : 'This browser can draw neither with WebGPU nor with WebGL 2, one of which this page needs.',
-    );
-});
+async function begin() {
+    try {
+        element('loading-text').textContent = 'loading';
+        await loadModule(progress);
+    } catch (error) {
+        console.warn(error);
+        const needs = 'WebAssembly' in window ? 'Reload the page to try again' : 'This browser has no WebAssembly';
+        fail(`The page cannot be loaded (${error.message}). ${needs}.`);
+        return;
+    }
+    try {
+        await start();
+    } catch (error) {
+        console.warn(error);
+        fail(`This page needs WebGPU or WebGL 2, and neither draws in this browser (${error.message}).`);
+    }
+}
+
+begin();

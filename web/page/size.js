@@ -33,11 +33,11 @@ export function watchSize(element, changed) {
     watchRatio();
 
     const whole = () => {
-        if (exact !== null) {
-            return exact;
-        }
         const { width, height } = element.getBoundingClientRect();
-        return { width: Math.round(width * devicePixelRatio), height: Math.round(height * devicePixelRatio) };
+        const near = { width: Math.round(width * devicePixelRatio), height: Math.round(height * devicePixelRatio) };
+        // Browsers that emulate another ratio do not scale the exact size.
+        const agrees = exact !== null && Math.abs(exact.width - near.width) < 2 && Math.abs(exact.height - near.height) < 2;
+        return agrees ? exact : near;
     };
     const now = () => {
         const { width, height } = whole();

@@ -56,7 +56,7 @@ export async function servePage(folder, refuse = () => false) {
 export async function openPage(browser, server, query, errors, context = {}) {
     const { script, ...more } = context;
     const page = await browser.newPage({ viewport: { width: 960, height: 540 }, deviceScaleFactor: 1, ...more });
-    page.setDefaultTimeout(120000); // a busy machine draws slowly in software
+    page.setDefaultTimeout(Number(process.env.PATIENCE_MS ?? 120000)); // a busy machine draws slowly in software
     page.on('pageerror', (error) => errors.push(String(error.stack ?? error)));
     page.on('console', (message) => {
         if (message.type() === 'error') {
