@@ -1,5 +1,5 @@
 #!/bin/sh
-# Checks that the libraries compile for a browser (wasm32-unknown-unknown, WebGPU). Where rustup cannot add this
+# Checks that the libraries compile for a browser (wasm32-unknown-unknown, WebGPU and WebGL2). Where rustup cannot add this
 # target, uses Debian's Rust for the web and compiles the standard library with it.
 set -eu
 cd "$(dirname "$0")/.."
