@@ -86,7 +86,6 @@ fn assert_same(what: &str, one: &Picture, other: &Picture) {
         })
         .count();
     let off = PictureDifference::of(one, other);
-    println!("{what}: {differing} pixels differ by more than 1e-3, {off:?}");
     assert!(differing <= 3, "{what}: {differing} pixels, {off:?}");
 }
 
