@@ -223,7 +223,7 @@ pub const BINDINGS: &[Binding] = &[
     binding(
         &[changes(Code::KeyV, Change::ToggleFilter)],
         "V",
-        "the mean over each pixel, or one ray per pixel",
+        "the mean over each pixel, the same by the GPU's filter, or one ray",
     ),
     binding(
         &[changes(Code::KeyM, Change::NextComparison)],

@@ -86,7 +86,6 @@ fn assert_same(what: &str, one: &Picture, other: &Picture) {
         })
         .count();
     let off = PictureDifference::of(one, other);
-    println!("{what}: {differing} pixels differ by more than 1e-3, {off:?}");
     assert!(differing <= 3, "{what}: {differing} pixels, {off:?}");
 }
 
@@ -232,15 +231,12 @@ fn the_anisotropic_filter_of_the_hardware_keeps_one_colour() {
     }
 }
 
-/// llvmpipe (Mesa 22.3) ignores the gradients that a shader passes to its anisotropic filter.
+/// Of llvmpipe not much is asked: docs/filter.md says why.
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn a_gpus_anisotropic_filter_is_near_ours_in_either_kind_of_pass() {
     let gpu = gpu();
-    if gpu.is_software() {
-        println!("not measured on {}", gpu.name());
-        return;
-    }
+    let most = if gpu.is_software() { 12.0 } else { 2.0 };
     for (name, scene) in scenes(&nebula()) {
         let filtered = scene.clone().with_sampling(Sampling::Filtered);
         let anisotropic = scene.with_sampling(Sampling::Anisotropic);
@@ -248,7 +244,8 @@ fn a_gpus_anisotropic_filter_is_near_ours_in_either_kind_of_pass() {
             let renderer = Renderer::with_pass(&gpu, pass);
             let [one, other] = [&filtered, &anisotropic].map(|scene| on_gpu(&renderer, scene));
             let off = PictureDifference::of(&one, &other);
-            assert!(off.mean < 2.0, "{name}, {pass:?}: {off:?}");
+            println!("{name}, {pass:?}: {off:?}");
+            assert!(off.mean < most, "{name}, {pass:?}: {off:?}");
         }
     }
 }

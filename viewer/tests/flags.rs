@@ -47,6 +47,42 @@ fn invalid_views_are_refused_by_the_name_of_their_flag() {
     }
 }
 
+#[test]
+fn the_cpu_is_not_asked_for_what_only_a_gpu_has() {
+    let render = ["render", "-o", "never.png", "-d", "cpu"];
+    let refused = |more: &[&str], words: &[&str]| {
+        VIEWER.run(&[&render, more].concat()).refuses(words);
+        assert!(!Path::new("never.png").exists());
+    };
+    let anisotropic = ["--sampling", "anisotropic"];
+    refused(
+        &anisotropic,
+        &["--sampling anisotropic", "--sampling filtered"],
+    );
+    refused(&["--pass", "fragment"], &["--pass fragment", "GPU"]);
+    refused(&["--pass", "compute"], &["--pass compute", "GPU"]);
+    // Without a GPU, and in a field of view that is too narrow for one.
+    let auto = [
+        "render",
+        "-o",
+        "never.png",
+        "--size",
+        "64x36",
+        "--fov",
+        "1e-5",
+        "-r",
+        "1e6",
+    ];
+    let run = Command::new(env!("CARGO_BIN_EXE_viewer"))
+        .args([&auto[..], &anisotropic].concat())
+        .output()
+        .unwrap();
+    let stderr = String::from_utf8(run.stderr).unwrap();
+    assert_eq!(run.status.code(), Some(2), "{stderr}");
+    assert!(stderr.contains("--sampling filtered"), "{stderr}");
+    assert!(!Path::new("never.png").exists());
+}
+
 /// Runs the viewer with WGPU_BACKEND set; returns its exit code and standard error.
 fn with_backend(backend: &str, args: &[&str]) -> (Option<i32>, String) {
     let run = Command::new(env!("CARGO_BIN_EXE_viewer"))

@@ -9,6 +9,7 @@ mod device;
 mod fragment_pass;
 mod frame_resources;
 mod layouts;
+mod needs;
 mod pass;
 mod passes;
 mod pipelines;

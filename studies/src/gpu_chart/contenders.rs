@@ -3,8 +3,10 @@
 use super::ChartError;
 use lensbake_core::{Motion, MovingFrame};
 use lensbake_render::camera::{Camera, CameraError, View};
+use lensbake_render::gpu::Pass;
 use lensbake_render::lens::{Deflection, Lens, LensError};
 use lensbake_render::model::Model;
+use lensbake_render::scene::Sampling;
 use lensbake_tables::lookup::GpuRow;
 use lensbake_tables::{ChannelRanges, Interpolation, RowFormat, Table};
 
@@ -23,17 +25,20 @@ pub enum Family {
     Flat,
     /// The default row for a camera in free fall.
     Falling,
+    /// The default row, drawn in another kind of pass or with the mean over each pixel.
+    Drawing,
 }
 
 impl Family {
     /// All families, in the legend's order.
-    pub const ALL: [Family; 6] = [
+    pub const ALL: [Family; 7] = [
         Family::Hermite,
         Family::Format,
         Family::Linear,
         Family::Direct,
         Family::Flat,
         Family::Falling,
+        Family::Drawing,
     ];
 
     /// Name in the legend and the CSV file.
@@ -45,6 +50,7 @@ impl Family {
             Family::Direct => "direct RK4, f32",
             Family::Flat => "undeflected",
             Family::Falling => "in free fall",
+            Family::Drawing => "other passes and filters",
         }
     }
 }
@@ -58,6 +64,23 @@ pub struct Contender {
     pub family: Family,
     /// The lens that uses the method.
     pub lens: Lens,
+    /// How a pixel samples its area.
+    pub sampling: Sampling,
+    /// The kind of pass that draws it; `None` for that of the renderer.
+    pub pass: Option<Pass>,
+}
+
+impl Contender {
+    /// A method that is drawn by one ray per pixel, in the renderer's kind of pass.
+    fn new(name: impl Into<String>, family: Family, lens: Lens) -> Self {
+        Contender {
+            name: name.into(),
+            family,
+            lens,
+            sampling: Sampling::Single,
+            pass: None,
+        }
+    }
 }
 
 /// Texel counts above the table's that linear rows need for an error near the table's.
@@ -91,11 +114,7 @@ pub fn contenders(lens: &Lens) -> Result<Vec<Contender>, LensError> {
                 (format!("{texels} texels"), family)
             }
         };
-        Ok(Contender {
-            name,
-            family,
-            lens: model.lens(lens)?,
-        })
+        Ok(Contender::new(name, family, model.lens(lens)?))
     };
     ladder
         .into_iter()
@@ -114,15 +133,33 @@ pub fn formats(lens: &Lens, unorm16: bool) -> Vec<Contender> {
         .into_iter()
         .chain(unorm16)
         .chain([("coefficients", RowFormat::Coefficients)])
-        .map(|(name, format)| Contender {
-            name: name.to_owned(),
-            family: Family::Format,
-            lens: Lens {
+        .map(|(name, format)| {
+            let lens = Lens {
                 row: lens.row.clone().in_format(format),
                 ..lens.with_deflection(Deflection::Lut)
-            },
+            };
+            Contender::new(name, Family::Format, lens)
         })
         .collect()
+}
+
+/// `lens`, whose row must be the table's, drawn in a render pass, and with the mean over each pixel in either kind of pass.
+/// The rays are those of the table; only the time differs.
+pub fn drawings(lens: &Lens) -> Vec<Contender> {
+    use Sampling::{Anisotropic, Filtered, Single};
+    [
+        ("one ray, render pass", Single, Pass::Fragment),
+        ("filtered, compute pass", Filtered, Pass::Compute),
+        ("filtered, render pass", Filtered, Pass::Fragment),
+        ("anisotropic, compute pass", Anisotropic, Pass::Compute),
+        ("anisotropic, render pass", Anisotropic, Pass::Fragment),
+    ]
+    .map(|(name, sampling, pass)| Contender {
+        sampling,
+        pass: Some(pass),
+        ..Contender::new(name, Family::Drawing, lens.with_deflection(Deflection::Lut))
+    })
+    .into()
 }
 
 /// The ways to draw the view of a camera in free fall: by the row for its frame, or by the row of the observer at rest
@@ -139,11 +176,8 @@ pub fn falling(view: &View, table: &Table) -> Result<Vec<Contender>, ChartError>
         .into_iter()
         .map(|(name, frame)| {
             let camera = Camera::in_frame(&frame, view)?;
-            Ok(Contender {
-                name: name.to_owned(),
-                family: Family::Falling,
-                lens: Lens::new(camera, table, Deflection::Lut)?,
-            })
+            let lens = Lens::new(camera, table, Deflection::Lut)?;
+            Ok(Contender::new(name, Family::Falling, lens))
         })
         .collect()
 }

@@ -201,6 +201,11 @@ where
             area.draw(&Rectangle::new([(x - 9, y - 9), (x + 9, y + 9)], style))?;
         }
         Family::Falling => area.draw(&Circle::new(at, 10, colour(family).stroke_width(4)))?,
+        Family::Drawing => {
+            let (x, y) = at;
+            let square = [(x - 9, y - 9), (x + 9, y + 9)];
+            area.draw(&Rectangle::new(square, colour(family).stroke_width(4)))?;
+        }
     }
     Ok(())
 }
@@ -270,6 +275,7 @@ fn colour(family: Family) -> RGBColor {
         Family::Direct => RGBColor(9, 105, 218),
         Family::Flat => Ink::DARK,
         Family::Falling => RGBColor(130, 80, 223),
+        Family::Drawing => RGBColor(45, 125, 110),
     }
 }
 

@@ -4,7 +4,7 @@ mod contenders;
 pub mod csv;
 pub mod figure;
 
-pub use contenders::{Contender, Family, contenders, falling, formats};
+pub use contenders::{Contender, Family, contenders, drawings, falling, formats};
 
 use crate::gpu_time::{FrameTimes, interleaved};
 use lensbake_render::camera::CameraError;
@@ -92,6 +92,12 @@ pub fn steps(workload: Workload, contenders: usize) -> u64 {
     u64::from(workload.rounds) + contenders as u64
 }
 
+/// The renderer in the kind of pass of `contender`.
+fn renderer_of(renderer: &Renderer, contender: &Contender) -> Renderer {
+    let pass = contender.pass.unwrap_or(renderer.pass());
+    renderer.clone().in_pass(pass)
+}
+
 /// Measures all `contenders` on the picture of `sky` through `lens`, whose row must be the table's; a contender with
 /// another camera on its own picture. `step` is
 /// called after the errors of each contender and after each round of timing.
@@ -116,6 +122,7 @@ pub async fn measure(
             reference = Reference::new(&contender.lens, || ());
             truth = reference.trace();
         }
+        let renderer = renderer_of(renderer, contender);
         let trace = renderer.trace(&contender.lens, |_| ()).await?;
         let statistics = TraceStatistics::of(&reference.errors(&trace, &truth));
         errors.push(statistics.ok_or(ChartError::NoSky)?);
@@ -123,7 +130,9 @@ pub async fn measure(
     }
     let mut prepared = Vec::new();
     for contender in &contenders {
+        let renderer = renderer_of(renderer, contender);
         let scene = Scene::new(contender.lens.clone(), sky.clone());
+        let scene = scene.with_sampling(contender.sampling);
         prepared.push(renderer.prepare(&renderer.upload(&scene).await?));
     }
     let gpu = renderer.gpu();

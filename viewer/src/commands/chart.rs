@@ -11,7 +11,7 @@ use lensbake_render::sky::{self, SkySource};
 use lensbake_studies::figure::drawing;
 use lensbake_studies::gpu_chart::figure::ChartFigure;
 use lensbake_studies::gpu_chart::{
-    ChartError, Workload, contenders, csv, falling, formats, measure, steps,
+    ChartError, Workload, contenders, csv, drawings, falling, formats, measure, steps,
 };
 use lensbake_tables::default_atlas;
 use pollster::block_on;
@@ -44,6 +44,7 @@ pub fn run(args: &ChartArgs) -> Result<Outcome, CommandError> {
         message!("the device has no textures of 16-bit integers: that row is left out");
     }
     contenders.extend(formats(&lens, unorm16));
+    contenders.extend(drawings(&lens));
     contenders.extend(falling(&view, default_atlas())?);
     let progress = Progress::new("measuring", steps(workload, contenders.len()));
     let step = || progress.step();
