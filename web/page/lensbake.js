@@ -146,8 +146,11 @@ class View {
             this.redrawSoon();
         }
         viewer.takeMessages().forEach((text) => this.say(text));
-        this.makeWhatIsWanted();
         this.options.drawn?.();
+        if (viewer.wants) {
+            // After this frame is shown.
+            setTimeout(() => this.viewer === viewer && this.makeWhatIsWanted());
+        }
     }
 
     /** Starts what the picture lacks: the whole sky, and the stars. */
@@ -157,10 +160,9 @@ class View {
         if (name !== undefined) {
             this.skies.make(name, viewer, () => this.viewer === viewer && this.redraw());
         }
-        if (viewer.wantsStars()) {
+        if (viewer.wantsStars && viewer.drawsStars) {
             this.skies.fetchStars(viewer, () => this.viewer === viewer && this.redraw());
-        }
-        if ((viewer.get('sky') === 'stars' || viewer.get('stars') === 'on') && !viewer.drawsStars && !this.toldStars) {
+        } else if (viewer.wantsStars && !this.toldStars) {
             this.toldStars = true;
             this.say('Stars as points need WebGPU, which this browser does not offer here.');
         }

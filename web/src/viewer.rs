@@ -449,9 +449,15 @@ impl Viewer {
     }
 
     /// Whether a catalogue of stars is wanted and missing.
-    #[wasm_bindgen(js_name = wantsStars)]
+    #[wasm_bindgen(getter, js_name = wantsStars)]
     pub fn wants_stars(&self) -> bool {
-        self.session.wants_stars() && !self.session.has_stars() && self.draws_stars()
+        self.session.wants_stars() && !self.session.has_stars()
+    }
+
+    /// Whether the picture lacks something: a sky or the stars.
+    #[wasm_bindgen(getter)]
+    pub fn wants(&self) -> bool {
+        self.wanted_sky.is_some() || self.wants_stars()
     }
 
     /// Whether the device can draw stars as points.
