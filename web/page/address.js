@@ -5,8 +5,11 @@ const QUIET_MS = 400;
 /** Longest time that a moving view keeps its address, ms. */
 const MOST_MS = 2000;
 
-/** Names that are the page's own: what draws (webgpu, webgl), and whether the panel is shown (on, off). */
-const OF_PAGE = ['backend', 'panel'];
+/**
+ * Names that are the page's own: what draws (webgpu, webgl) and in which passes (compute, fragment), and whether the panel
+ * is shown (on, off).
+ */
+const OF_PAGE = ['backend', 'pass', 'panel'];
 
 /** What the query of an address says: `settings` of the view, and those `ofPage`. */
 export function readAddress(query) {

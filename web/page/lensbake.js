@@ -27,6 +27,7 @@ const MOST_BYTES = 512 * 1024 * 1024;
  * Options, all of which may be left out:
  * - `settings`: names and values, as `set` takes them;
  * - `backend`: 'webgpu', 'webgl', or 'auto', the better one that works;
+ * - `pass`: 'compute' or 'fragment', the passes that draw (default: compute with WebGPU; WebGL2 has fragment only);
  * - `keys`: the element whose keys control the view (default: the canvas; null: no keys);
  * - `pointer`: whether mouse and touches control it (default: true);
  * - `progress(loaded, total)`: called while the module loads, bytes; `total` is 0 if unknown;
@@ -92,7 +93,8 @@ class View {
         const sky = skies.includes(settings.sky) ? settings.sky : 'nebula';
         const { width, height } = this.size.now();
         const backend = this.options.backend ?? 'auto';
-        const viewer = await Viewer.open(this.canvas, backend, sky, width, height, (reason) => {
+        const pass = this.options.pass ?? 'auto';
+        const viewer = await Viewer.open(this.canvas, backend, pass, sky, width, height, (reason) => {
             if (this.viewer === viewer) {
                 this.lost(reason);
             }
@@ -147,7 +149,7 @@ class View {
         }
         viewer.takeMessages().forEach((text) => this.say(text));
         this.options.drawn?.();
-        if (viewer.wants) {
+        if (viewer.wantsSky || viewer.wantsStars) {
             // After this frame is shown.
             setTimeout(() => this.viewer === viewer && this.makeWhatIsWanted());
         }
@@ -328,9 +330,9 @@ class View {
             get drawsStars() {
                 return view.viewer?.drawsStars ?? false;
             },
-            /** Whether the whole sky is drawn, not the first coarse one. */
+            /** Whether the whole sky is drawn, not the first coarse one, and nothing else is being loaded. */
             get complete() {
-                return view.viewer !== null && !view.skies.busy;
+                return view.viewer !== null && !view.viewer.wantsSky && !view.skies.busy;
             },
             /** Frees everything. The canvas keeps its last picture. */
             destroy: () => {

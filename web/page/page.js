@@ -175,6 +175,7 @@ async function start() {
     view = await createLensbake(canvas, {
         settings: address.settings,
         backend: address.ofPage.backend,
+        pass: address.ofPage.pass,
         keys: window,
         message: (text) => messages.say(text),
         command,

@@ -66,15 +66,24 @@ export class Skies {
             return;
         }
         this.starsAsked = true;
+        const { round } = this;
+        this.waiting += 1;
         try {
             const response = await fetch(new URL('./hipparcos.stars', import.meta.url));
             if (!response.ok) {
                 throw new Error(`${response.status} ${response.statusText}`);
             }
-            viewer.takeStars(new Uint8Array(await response.arrayBuffer()));
-            done();
+            const bytes = new Uint8Array(await response.arrayBuffer());
+            if (round === this.round) {
+                viewer.takeStars(bytes);
+                done();
+            }
         } catch (error) {
             this.say(`The stars cannot be loaded: ${error.message}`);
+        } finally {
+            if (round === this.round) {
+                this.waiting -= 1;
+            }
         }
     }
 }

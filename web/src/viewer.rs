@@ -16,7 +16,7 @@ use lensbake_interactive::skies::Selected;
 use lensbake_interactive::stage::{Frame, Stage};
 use lensbake_interactive::state::{NamedTable, State};
 use lensbake_render::camera::View;
-use lensbake_render::gpu::{Gpu, Renderer, SkyUpload};
+use lensbake_render::gpu::{Gpu, Pass, Renderer, SkyUpload};
 use lensbake_render::lens::Deflection;
 use lensbake_render::sky::SkySource;
 use lensbake_render::stars::{StarField, catalogue_from_bytes};
@@ -101,14 +101,16 @@ fn error(text: impl ToString) -> JsError {
 #[wasm_bindgen]
 impl Viewer {
     /// Opens a viewer that draws to `canvas`, of this size in pixels, before the built-in sky of this name. `backend` is
-    /// `webgpu`, `webgl`, or anything else for the better one that works. `on_failure` is called with the reason if the
-    /// device fails later.
+    /// `webgpu`, `webgl`, or anything else for the better one that works; `pass` is `compute`, `fragment`, or anything else
+    /// for what is usual on the device. `on_failure` is called with the reason if the device fails later.
     ///
     /// # Errors
     /// If there is no such sky, or no GPU can draw to the canvas.
+    #[expect(clippy::too_many_arguments, reason = "JavaScript has no structs")]
     pub async fn open(
         canvas: HtmlCanvasElement,
         backend: String,
+        pass: String,
         sky: String,
         width: u32,
         height: u32,
@@ -137,7 +139,12 @@ impl Viewer {
             let _ = on_failure.call1(&JsValue::NULL, &reason.into());
         });
         let texels = make_sky(&sky, FIRST_SKY_TEXELS)?.into_sky();
-        let stage = Stage::new(Renderer::new(&gpu), surface, [width, height], &texels).await;
+        let renderer = match &pass[..] {
+            "compute" => Renderer::with_pass(&gpu, Pass::Compute),
+            "fragment" => Renderer::with_pass(&gpu, Pass::Fragment),
+            _ => Renderer::new(&gpu),
+        };
+        let stage = Stage::new(renderer, surface, [width, height], &texels).await;
         let (stage, on_device) = stage.map_err(error)?;
         Ok(Viewer {
             wanted_sky: Some(sky).filter(|_| texels.face_texels() > 1),
@@ -454,10 +461,10 @@ impl Viewer {
         self.session.wants_stars() && !self.session.has_stars()
     }
 
-    /// Whether the picture lacks something: a sky or the stars.
-    #[wasm_bindgen(getter)]
-    pub fn wants(&self) -> bool {
-        self.wanted_sky.is_some() || self.wants_stars()
+    /// Whether a built-in sky is to be made that [`Viewer::take_wanted_sky`] has not yet given.
+    #[wasm_bindgen(getter, js_name = wantsSky)]
+    pub fn wants_sky(&self) -> bool {
+        self.wanted_sky.is_some()
     }
 
     /// Whether the device can draw stars as points.
