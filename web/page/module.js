@@ -4,7 +4,7 @@ import init, * as exports from './lensbake_web.js';
 
 let loading;
 
-/** Loads the module: its exports, and the compiled module for workers. */
+/** Loads the module: its exports, its memory, and the compiled module for workers. */
 export function loadModule(progress) {
     loading ??= load(progress).catch((error) => {
         loading = undefined;
@@ -20,8 +20,8 @@ async function load(progress) {
         throw new Error(`${url.pathname}: ${response.status} ${response.statusText}`);
     }
     const compiled = await compile(counted(response, progress));
-    await init({ module_or_path: compiled });
-    return { exports, compiled };
+    const { memory } = await init({ module_or_path: compiled });
+    return { exports, compiled, memory };
 }
 
 /** A response with the same body, of which the bytes that have arrived are told. */
