@@ -1,6 +1,6 @@
 #!/bin/sh
 # Runs every test. On Debian and Ubuntu, first installs what is missing: software Vulkan if there is no driver, a
-# virtual screen for the window's tests, and other readers of OpenEXR files.
+# virtual screen for the window's tests, other readers of OpenEXR files, and a browser. Builds the web page.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -28,7 +28,7 @@ has_python_module() {
 }
 
 without="cargo test --workspace --features"
-without="$without lensbake-render/no-gpu,lensbake-tests/no-gpu,lensbake-tests/no-readers,viewer/no-gpu,viewer/no-window"
+without="$without lensbake-render/no-gpu,lensbake-tests/no-gpu,lensbake-tests/no-readers,viewer/no-gpu,viewer/no-window,viewer/no-web"
 
 missing=""
 if [ "$(uname)" = Linux ]; then
@@ -74,6 +74,7 @@ if [ "$(uname)" = Linux ]; then
         echo "test.sh: what reads OpenEXR files cannot be fetched; or run $without" >&2
         exit 2
     }
+    scripts/web.sh
 fi
 
 cargo test --workspace

@@ -257,6 +257,15 @@ impl Stage {
         self.stopwatch.submit(&self.gpu, &self.realtime)
     }
 
+    /// Submits the picture of a plan `count` times, to be timed.
+    pub fn submit_pictures(&mut self, plan: &Plan, count: u32) {
+        for _ in 0..count {
+            self.drawn = None;
+            let _untimed = self.draw_picture(plan);
+        }
+        self.drawn = Some(plan.clone());
+    }
+
     /// GPU times of the frames, as far as they have arrived since the last call.
     pub fn laps(&self) -> impl Iterator<Item = Lap> {
         self.stopwatch.arrived()

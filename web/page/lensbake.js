@@ -267,6 +267,14 @@ class View {
         return new Blob([png], { type: 'image/png' });
     }
 
+    async time(count) {
+        const { width, height } = this.size.now();
+        await this.viewer.drawPictures(width, height, 1);
+        const began = performance.now();
+        await this.viewer.drawPictures(width, height, count);
+        return (performance.now() - began) / count;
+    }
+
     /** Frees the viewer. */
     close() {
         cancelAnimationFrame(this.request);
@@ -314,6 +322,8 @@ class View {
             openFile: (file) => this.openFile(file),
             /** The picture as a PNG: a promise of a Blob. */
             screenshot: () => this.screenshot(),
+            /** Draws the picture `count` times without showing it: a promise of the time of each, ms. */
+            time: (count) => this.time(count),
             /** Draws a frame, even if nothing changed. */
             redraw: () => this.redraw(),
             get backend() {

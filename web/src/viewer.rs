@@ -537,6 +537,26 @@ impl Viewer {
         }))
     }
 
+    /// Draws the picture `count` times at the size of the canvas, without showing it: a promise that it is done, to be
+    /// timed.
+    #[wasm_bindgen(js_name = drawPictures)]
+    pub fn draw_pictures(
+        &mut self,
+        width: u32,
+        height: u32,
+        count: u32,
+    ) -> Result<Promise, JsError> {
+        self.settle();
+        let plan = self.session.plan([width, height], true).map_err(error)?;
+        let plan = plan.ok_or_else(|| error("the canvas has no pixels"))?;
+        self.session.stage.submit_pictures(&plan, count);
+        let gpu = self.session.stage.gpu().clone();
+        Ok(future_to_promise(async move {
+            gpu.wait().await.map_err(error)?;
+            Ok(JsValue::UNDEFINED)
+        }))
+    }
+
     fn select(&mut self, index: usize) {
         if let Selected::Load(source) = self.session.select_sky(index) {
             self.wanted_sky = Some(source.name());
