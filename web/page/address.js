@@ -24,7 +24,8 @@ export function readAddress(query) {
 /** The query of settings; commas and slashes are left readable. */
 function query(settings, ofPage) {
     const all = new URLSearchParams({ ...settings, ...ofPage });
-    return all.size === 0 ? '' : `?${all.toString().replaceAll('%2C', ',').replaceAll('%2F', '/')}`;
+    const text = all.toString().replaceAll('%2C', ',').replaceAll('%2F', '/');
+    return text === '' ? '' : `?${text}`;
 }
 
 export class AddressBar {

@@ -16,6 +16,8 @@ import { watchSize } from './size.js';
 /** How often a lost device is opened again within RECOVERY_MS before that is given up. */
 const RECOVERIES = 3;
 const RECOVERY_MS = 60000;
+/** Longest time that a browser may take to restore a context of WebGL, ms. */
+const RESTORE_MS = 20000;
 /** Time until another frame where one is wanted soon, ms. */
 const SOON_MS = 300;
 /** Largest file that is read, bytes. */
@@ -41,7 +43,12 @@ const MOST_BYTES = 512 * 1024 * 1024;
 export async function createLensbake(canvas, options = {}) {
     const module = await loadModule(options.progress ?? (() => {}));
     const view = new View(canvas, module, options);
-    await view.open();
+    try {
+        await view.open();
+    } catch (error) {
+        view.end();
+        throw error;
+    }
     return view.handle();
 }
 
@@ -199,8 +206,9 @@ class View {
         // Without this the browser does not restore the context.
         event.preventDefault();
         if (this.viewer?.backend === 'webgl') {
-            const restored = new Promise((done) => {
+            const restored = new Promise((done, failed) => {
                 this.canvas.addEventListener('webglcontextrestored', done, { once: true });
+                setTimeout(() => failed(new Error('the browser does not give it back')), RESTORE_MS);
             });
             this.lost('the WebGL context was lost', restored);
         }
@@ -220,9 +228,9 @@ class View {
             this.options.failed?.(`${reason}, again and again. Reload the page to try once more.`);
             return;
         }
-        this.say(`The graphics device was lost; drawing again.`);
-        await ready;
+        this.say('The graphics device was lost; drawing again.');
         try {
+            await ready;
             await this.openViewer(settings);
             if (this.file !== null) {
                 await this.openFile(this.file);
@@ -250,7 +258,7 @@ class View {
         const bytes = new Uint8Array(await file.arrayBuffer());
         const { viewer } = this;
         if (viewer === null) {
-            return;
+            throw new Error(`${file.name}: nothing is drawn now`);
         }
         if (!viewer.takeTable(file.name, bytes)) {
             this.say(`reading ${file.name} …`);
@@ -261,10 +269,21 @@ class View {
     }
 
     async screenshot() {
+        if (this.viewer === null) {
+            throw new Error('nothing is drawn now');
+        }
         const { width, height } = this.size.now();
         const png = await this.viewer.screenshot(width, height);
         this.redraw();
         return new Blob([png], { type: 'image/png' });
+    }
+
+    /** Frees everything, for good. */
+    end() {
+        this.closed = true;
+        this.stop.forEach((stop) => stop());
+        this.stop = [];
+        this.close();
     }
 
     async time(count) {
@@ -345,11 +364,7 @@ class View {
                 return view.viewer !== null && !view.viewer.wantsSky && !view.skies.busy;
             },
             /** Frees everything. The canvas keeps its last picture. */
-            destroy: () => {
-                this.closed = true;
-                this.stop.forEach((stop) => stop());
-                this.close();
-            },
+            destroy: () => this.end(),
         };
     }
 }
