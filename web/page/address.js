@@ -6,19 +6,26 @@ const QUIET_MS = 400;
 const MOST_MS = 2000;
 
 /**
- * Names that are the page's own: what draws (webgpu, webgl) and in which passes (compute, fragment), and whether the panel
- * is shown (on, off).
+ * Names that are the page's own, with their values: what draws, in which passes, and whether the panel is shown.
  */
-const OF_PAGE = ['backend', 'pass', 'panel'];
+const OF_PAGE = { backend: ['auto', 'webgpu', 'webgl'], pass: ['auto', 'compute', 'fragment'], panel: ['on', 'off'] };
 
-/** What the query of an address says: `settings` of the view, and those `ofPage`. */
+/**
+ * What the query of an address says: `settings` of the view, and those `ofPage`; `problems` says which of these have values
+ * that do not exist.
+ */
 export function readAddress(query) {
-    const all = [...new URLSearchParams(query)];
-    const isOfPage = ([name]) => OF_PAGE.includes(name);
-    return {
-        settings: Object.fromEntries(all.filter((one) => !isOfPage(one))),
-        ofPage: Object.fromEntries(all.filter(isOfPage)),
-    };
+    const result = { settings: {}, ofPage: {}, problems: [] };
+    for (const [name, value] of new URLSearchParams(query)) {
+        if (!Object.hasOwn(OF_PAGE, name)) {
+            result.settings[name] = value;
+        } else if (OF_PAGE[name].includes(value)) {
+            result.ofPage[name] = value;
+        } else {
+            result.problems.push(`${name} is '${value}', but must be ${OF_PAGE[name].join(', ')}`);
+        }
+    }
+    return result;
 }
 
 /** The query of settings; commas and slashes are left readable. */

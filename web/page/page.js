@@ -188,6 +188,7 @@ async function start() {
         },
         failed: fail,
     });
+    address.problems.forEach((text) => messages.say(text));
     bar = new AddressBar(view, address.ofPage);
     panel = new Panel(view, element('panel'), element('panel-button'), canvas, (text) => messages.say(text));
     listenToPage();

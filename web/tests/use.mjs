@@ -256,6 +256,9 @@ const checks = {
         await page.goto(`${server.url}?sky=grdi`);
         await ready(page);
         assert.match(await message(page), /sky is 'grdi', but must be nebula/);
+        await page.goto(`${server.url}?sky=grid&backend=webgp`);
+        await ready(page);
+        assert.match(await message(page), /backend is 'webgp', but must be auto, webgpu, webgl/);
         return page;
     },
 

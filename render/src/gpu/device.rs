@@ -1,9 +1,10 @@
 //! Opens a GPU device, waits for it and reads buffers back from it.
 
 use super::backend;
+use super::failure::Failure;
 use super::needs::{Needs, has_compute};
 use futures_channel::oneshot;
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 use thiserror::Error;
 use wgpu::*;
 
@@ -68,24 +69,7 @@ pub struct Gpu {
     adapter: Adapter,
     instance: Instance,
     info: AdapterInfo,
-    failure: Arc<Mutex<Failure>>,
-}
-
-/// The first error of a device, and who waits for it.
-#[derive(Debug, Default)]
-struct Failure {
-    first: Option<String>,
-    waiting: Vec<oneshot::Sender<()>>,
-}
-
-impl Failure {
-    fn note(&mut self, text: &str) {
-        self.first.get_or_insert_with(|| one_line(text));
-        for waiting in self.waiting.drain(..) {
-            // The receiver may have been dropped.
-            let _ = waiting.send(());
-        }
-    }
+    failure: Failure,
 }
 
 impl Gpu {
@@ -172,21 +156,15 @@ impl Gpu {
                 adapter: info.name.clone(),
                 reason: e.to_string(),
             })?;
-        let failure = Arc::new(Mutex::new(Failure::default()));
-        let note = |failure: &Arc<Mutex<Failure>>| {
-            let failure = failure.clone();
-            move |text: &str| {
-                if let Ok(mut failure) = failure.lock() {
-                    failure.note(text);
-                }
-            }
-        };
-        let on_error = note(&failure);
-        device.on_uncaptured_error(Arc::new(move |error: Error| on_error(&error.to_string())));
-        let on_loss = note(&failure);
+        let failure = Failure::default();
+        let on_error = failure.clone();
+        device.on_uncaptured_error(Arc::new(move |error: Error| {
+            on_error.note(&error.to_string());
+        }));
+        let on_loss = failure.clone();
         device.set_device_lost_callback(move |reason, text| match reason {
             DeviceLostReason::Destroyed => (),
-            _ => on_loss(&format!("the device was lost: {text}")),
+            _ => on_loss.note(&format!("the device was lost: {text}")),
         });
         Ok(Gpu {
             device,
@@ -314,31 +292,19 @@ impl Gpu {
     }
 
     fn check(&self) -> Result<(), GpuError> {
-        let failure = self.failure.lock().ok();
-        let first = failure.and_then(|failure| failure.first.clone());
-        first.map_or(Ok(()), |reason| Err(self.failed(reason)))
+        self.failure
+            .first()
+            .map_or(Ok(()), |reason| Err(self.failed(reason)))
     }
 
-    /// Waits until the device fails or is lost, and returns the first error. Keeps the device open no longer than its
-    /// clones do; if all of them are dropped, it waits for ever.
+    /// Waits until the device fails or is lost, and returns the first error. Does not keep the device open; once all clones
+    /// of it are dropped, it waits for ever.
     pub fn failure(&self) -> impl Future<Output = GpuError> + use<> {
-        let (noted, waiting) = oneshot::channel();
-        if let Ok(mut failure) = self.failure.lock() {
-            match failure.first {
-                Some(_) => drop(noted.send(())),
-                None => failure.waiting.push(noted),
-            }
-        }
-        let (failure, adapter) = (Arc::downgrade(&self.failure), self.info.name.clone());
+        let (reason, adapter) = (self.failure.wait(), self.info.name.clone());
         async move {
-            let noted = waiting.await.is_ok();
-            let reason = failure
-                .upgrade()
-                .filter(|_| noted)
-                .and_then(|failure| failure.lock().ok()?.first.clone());
-            match reason {
-                Some(reason) => GpuError::Failed { adapter, reason },
-                None => std::future::pending().await,
+            GpuError::Failed {
+                adapter,
+                reason: reason.await,
             }
         }
     }
@@ -408,7 +374,7 @@ async fn new_instance(backends: Backends) -> Instance {
     util::new_instance_with_webgpu_detection(descriptor).await
 }
 
-fn one_line(text: &str) -> String {
+pub(super) fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 

@@ -6,6 +6,7 @@ mod camera_block;
 mod compute;
 mod compute_pass;
 mod device;
+mod failure;
 mod fragment_pass;
 mod frame_resources;
 mod layouts;

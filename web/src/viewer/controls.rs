@@ -1,0 +1,87 @@
+//! Keys, pointer, wheel and touches.
+
+use super::{Viewer, seconds};
+use keyboard_types::Code;
+use lensbake_interactive::input::{self, Button, KeyChange, Reaction};
+use lensbake_interactive::keys::{self, BINDINGS, Command, MOUSE};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen]
+impl Viewer {
+    /// Handles a key by the name of its place, `KeyboardEvent.code`: `change` is `pressed`, `repeated` or `released`.
+    /// Returns what the page has to do: `redraw`, `full-screen`, `screenshot` or `leave`; an empty text if there is nothing
+    /// to do, and `None` if the key is not bound to anything.
+    pub fn key(&mut self, code: &str, change: &str, now: f64) -> Option<String> {
+        let code: Code = code.parse().ok()?;
+        let change = match change {
+            "released" => KeyChange::Released,
+            "repeated" => KeyChange::Repeated,
+            _ => KeyChange::Pressed,
+        };
+        keys::key_action(code)?;
+        let settings = &mut self.session.state.settings;
+        let does = match self.input.key(code, change, settings, seconds(now)) {
+            Reaction::None => "",
+            Reaction::Changed => "redraw",
+            Reaction::Command(Command::NextSky) => {
+                let next = self.session.skies().next();
+                self.select(next);
+                "redraw"
+            }
+            Reaction::Command(Command::Reset) => {
+                self.reset();
+                "redraw"
+            }
+            Reaction::Command(Command::ToggleFullscreen) => "full-screen",
+            Reaction::Command(Command::Screenshot) => "screenshot",
+            Reaction::Command(Command::Leave) => "leave",
+        };
+        Some(does.to_owned())
+    }
+
+    /// The keys and what they do, and the same for the pointer: names and descriptions in turn.
+    #[wasm_bindgen(js_name = keyBindings)]
+    pub fn key_bindings() -> Vec<String> {
+        let keys = BINDINGS.iter().map(|one| (one.names, one.does));
+        let all = keys.chain(MOUSE.iter().copied());
+        all.flat_map(|(names, does)| [names.to_owned(), does.to_owned()])
+            .collect()
+    }
+
+    /// The pointer jumps to a place in pixels, without dragging.
+    #[wasm_bindgen(js_name = pointerAt)]
+    pub fn pointer_at(&mut self, x: f64, y: f64) {
+        self.input.place([x, y]);
+    }
+
+    /// The pointer is pressed: it drags the view, or with `orbits` the camera round the hole.
+    #[wasm_bindgen(js_name = pointerPressed)]
+    pub fn pointer_pressed(&mut self, orbits: bool) {
+        let button = if orbits { Button::Orbit } else { Button::Look };
+        self.input
+            .press(button, &self.session.state.settings, self.width);
+    }
+
+    /// The pointer is released.
+    #[wasm_bindgen(js_name = pointerReleased)]
+    pub fn pointer_released(&mut self) {
+        self.input.release();
+    }
+
+    /// The pointer moves to a place in pixels; true if that changed something.
+    #[wasm_bindgen(js_name = pointerMoved)]
+    pub fn pointer_moved(&mut self, x: f64, y: f64) -> bool {
+        let settings = &mut self.session.state.settings;
+        self.input.moved([x, y], settings, self.width) != Reaction::None
+    }
+
+    /// The wheel turns by notches; with `zooms` it changes the field of view.
+    pub fn wheel(&mut self, notches: f64, zooms: bool) {
+        input::wheel(&mut self.session.state.settings.view, notches, zooms);
+    }
+
+    /// Two touches go apart by this factor.
+    pub fn pinch(&mut self, apart: f64) {
+        input::pinch(&mut self.session.state.settings.view, apart);
+    }
+}
