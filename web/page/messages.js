@@ -3,18 +3,26 @@
 const LEAST_MS = 8000;
 const MOST_MS = 20000;
 const MS_A_CHARACTER = 60;
+/** Messages that come within this time are shown together, ms. */
+const TOGETHER_MS = 1000;
 
 export class Messages {
     constructor(element) {
         this.element = element;
         this.timer = 0;
+        this.said = -Infinity;
     }
 
     say(text) {
-        this.element.textContent = text;
-        this.element.hidden = false;
+        const now = performance.now();
+        const { element } = this;
+        const before = now - this.said < TOGETHER_MS && !element.hidden ? element.textContent.split('\n') : [];
+        const all = [...before.filter((one) => one !== text), text].join('\n');
+        this.said = now;
+        element.textContent = all;
+        element.hidden = false;
         clearTimeout(this.timer);
-        const time = Math.min(Math.max(LEAST_MS, MS_A_CHARACTER * text.length), MOST_MS);
-        this.timer = setTimeout(() => (this.element.hidden = true), time);
+        const time = Math.min(Math.max(LEAST_MS, MS_A_CHARACTER * all.length), MOST_MS);
+        this.timer = setTimeout(() => (element.hidden = true), time);
     }
 }
