@@ -10,7 +10,7 @@ shift
 export CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-target}/wasm"
 
 has_target() {
-    [ -d "$(rustc --print sysroot)/lib/rustlib/$target/lib" ]
+    command -v rustc >/dev/null && [ -d "$(rustc --print sysroot)/lib/rustlib/$target/lib" ]
 }
 
 if ! has_target && command -v rustup >/dev/null; then

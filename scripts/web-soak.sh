@@ -6,6 +6,10 @@ cd "$(dirname "$0")/.."
 
 minutes=${1:-10}
 readers="${CARGO_TARGET_DIR:-target}/readers"
+if ! [ -d "$readers/node_modules" ] || ! [ -d web/dist ]; then
+    echo "web-soak.sh: run scripts/test.sh once, which installs a browser and builds the page" >&2
+    exit 2
+fi
 cp tests/browser/*.mjs web/tests/*.mjs "$readers"
 for backend in webgpu webgl; do
     echo "$backend"

@@ -23,7 +23,7 @@ enum Drag {
     Divider,
 }
 
-/// What presses a pointer.
+/// The button with which the pointer is pressed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Button {
     /// The main button, or one touch: looks, or drags the divider.

@@ -83,8 +83,14 @@ fn index_of(values: &[f64], text: &str) -> Option<usize> {
     values.iter().position(|one| *one == value)
 }
 
-fn switch(text: &str) -> Option<bool> {
+/// The switch that a text stands for: `on` or `off`.
+pub fn switch(text: &str) -> Option<bool> {
     chosen(&SWITCH, text)
+}
+
+/// The text of a switch.
+pub fn switch_name(on: bool) -> String {
+    text_of(&SWITCH, on)
 }
 
 fn names() -> String {
@@ -143,7 +149,7 @@ pub const PARAMETERS: [Parameter; 22] = [
     Parameter {
         name: "auto-exposure",
         expects: "on or off",
-        get: |settings| text_of(&SWITCH, settings.auto_exposure),
+        get: |settings| switch_name(settings.auto_exposure),
         set: |settings, text| switch(text).map(|on| settings.auto_exposure = on),
     },
     Parameter {
@@ -204,7 +210,7 @@ pub const PARAMETERS: [Parameter; 22] = [
     Parameter {
         name: "true-period",
         expects: "on or off",
-        get: |settings| text_of(&SWITCH, settings.true_period),
+        get: |settings| switch_name(settings.true_period),
         set: |settings, text| switch(text).map(|on| settings.true_period = on),
     },
     Parameter {

@@ -77,6 +77,11 @@ impl Session {
         shown
     }
 
+    /// As [`Skies::forget`].
+    pub fn forget_sky(&mut self, source: &SkySource) {
+        self.skies.forget(source);
+    }
+
     /// Whether stars are to be drawn in front of the selected sky.
     pub fn wants_stars(&self) -> bool {
         self.stars_everywhere || self.skies.is_stars()

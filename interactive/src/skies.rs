@@ -100,6 +100,13 @@ impl Skies {
         }
     }
 
+    /// Forgets that a sky is being loaded, because that failed: it is loaded when it is selected again.
+    pub fn forget(&mut self, source: &SkySource) {
+        for choice in self.choices.iter_mut().filter(|one| one.source == *source) {
+            choice.asked_for = false;
+        }
+    }
+
     /// Keeps a sky that is on the device now; returns its index.
     pub fn keep(&mut self, source: SkySource, sky: SkyOnDevice) -> usize {
         let at = self.index(source);

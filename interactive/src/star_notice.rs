@@ -7,8 +7,7 @@ use std::time::Duration;
 /// go.
 const ALL_THERE: Duration = Duration::from_secs(10);
 
-const NOTICE: &str = "some stars are missing: they have more images than the GPU has room for; start again with a \
-    lower --star-exposure or fewer stars";
+const NOTICE: &str = "some stars are missing: they have more images than the GPU has room for";
 
 /// State of the notice.
 #[derive(Debug, Default)]

@@ -27,6 +27,7 @@ element('save').addEventListener('click', async () => {
     link.href = URL.createObjectURL(await far.screenshot());
     link.download = 'hole.png';
     link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
 });
 
 element('end').addEventListener('click', () => near.destroy());

@@ -1,13 +1,16 @@
 // Passes keys, mouse and touches to a viewer.
 
-/** Pixels of scrolling that count as one notch of a mouse wheel. */
+/** Pixels of scrolling that count as one notch of a mouse wheel, and of a pinch on a touchpad, which is sent as Ctrl + wheel. */
 const PIXELS_A_NOTCH = 100;
+const PIXELS_A_PINCH = 10;
+/** Most pixels that one event of a pinch has. */
+const MOST_OF_A_PINCH = 50;
 const LINES_A_NOTCH = 3;
 
 /** Elements that use keys themselves. */
 const TYPING = 'input, select, textarea, [contenteditable], dialog';
-/** Keys that move the focus, which a page leaves to the browser. */
-const LEFT_ALONE = ['Tab'];
+/** Keys that a page leaves to the browser: they move the focus, and open its tools. */
+const LEFT_ALONE = ['Tab', 'F12'];
 
 /** Listens to the canvas and the keys; returns a function that ends it. */
 export function listen(canvas, options, view) {
@@ -15,50 +18,71 @@ export function listen(canvas, options, view) {
     const on = (target, type, handler, more = {}) => {
         target.addEventListener(type, handler, { signal: ended.signal, ...more });
     };
+    const { touchAction } = canvas.style;
     if (options.pointer ?? true) {
+        canvas.style.touchAction = 'none';
         pointer(canvas, view, on);
     }
     const keys = options.keys === undefined ? canvas : options.keys;
     if (keys !== null) {
         keyboard(keys, view, on);
     }
-    return () => ended.abort();
+    return () => {
+        ended.abort();
+        canvas.style.touchAction = touchAction;
+    };
 }
 
 function keyboard(target, view, on) {
-    const pass = (event, change) => {
+    const pressed = (event) => {
         const viewer = view.viewer();
         const typing = event.target instanceof Element && event.target.closest(TYPING) !== null;
         if (viewer === null || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) {
             return;
         }
-        if (LEFT_ALONE.includes(event.code) || (typing && change !== 'released' && event.code !== 'Escape')) {
+        if (LEFT_ALONE.includes(event.code) || (typing && event.code !== 'Escape')) {
             return;
         }
-        const does = viewer.key(event.code, change, performance.now());
+        const does = viewer.key(event.code, event.repeat ? 'repeated' : 'pressed', performance.now());
         if (does === undefined) {
             return;
         }
-        // To leave is left to the browser as well, which closes dialogs.
-        if (does !== 'leave') {
+        if (does === 'redraw' || does === '') {
+            event.preventDefault();
+            view.changed();
+        } else if (view.command(does) && does !== 'leave') {
+            // To leave is left to the browser as well, which closes dialogs.
             event.preventDefault();
         }
-        if (does === 'redraw') {
-            view.changed();
-        } else if (does !== '') {
-            view.command(does);
-        }
     };
-    on(target, 'keydown', (event) => pass(event, event.repeat ? 'repeated' : 'pressed'));
-    on(target, 'keyup', (event) => pass(event, 'released'));
-    on(window, 'blur', () => {
+    // Whatever else is held: a key whose release is missed would move the view for ever.
+    const released = (event) => {
+        view.viewer()?.key(event.code, 'released', performance.now());
+        if (event.key === 'Meta') {
+            // macOS tells of no key that is released while Command is held.
+            view.viewer()?.pause(performance.now());
+        }
+        view.changed();
+    };
+    const left = () => {
         view.viewer()?.pause(performance.now());
         view.changed();
-    });
+    };
+    on(target, 'keydown', pressed);
+    on(target, 'keyup', released);
+    on(target, 'focusout', left);
+    on(window, 'blur', left);
+}
+
+/** What counts as one notch in an event of the wheel. */
+function notch({ deltaMode, deltaY, ctrlKey }) {
+    if (deltaMode !== WheelEvent.DOM_DELTA_PIXEL) {
+        return LINES_A_NOTCH;
+    }
+    return ctrlKey && Math.abs(deltaY) < MOST_OF_A_PINCH ? PIXELS_A_PINCH : PIXELS_A_NOTCH;
 }
 
 function pointer(canvas, view, on) {
-    canvas.style.touchAction = 'none';
     const down = new Map();
 
     const place = (event) => {
@@ -117,16 +141,20 @@ function pointer(canvas, view, on) {
             begin(false);
         }
     };
-    on(canvas, 'pointerup', up);
-    on(canvas, 'pointercancel', up);
+    for (const type of ['pointerup', 'pointercancel', 'lostpointercapture']) {
+        on(canvas, type, up);
+    }
+    on(window, 'blur', () => {
+        down.clear();
+        view.viewer()?.pointerReleased();
+    });
     on(canvas, 'contextmenu', (event) => event.preventDefault());
     on(
         canvas,
         'wheel',
         (event) => {
             event.preventDefault();
-            const notch = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? PIXELS_A_NOTCH : LINES_A_NOTCH;
-            view.viewer()?.wheel(-event.deltaY / notch, event.ctrlKey);
+            view.viewer()?.wheel(-event.deltaY / notch(event), event.ctrlKey);
             view.changed();
         },
         { passive: false },

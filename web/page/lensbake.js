@@ -16,8 +16,8 @@ import { watchSize } from './size.js';
 /** How often a lost device is opened again within RECOVERY_MS before that is given up. */
 const RECOVERIES = 3;
 const RECOVERY_MS = 60000;
-/** Longest time that a browser may take to restore a context of WebGL, ms. */
-const RESTORE_MS = 20000;
+/** Times between attempts to open it, ms: a browser may need a moment to start its GPU process again. */
+const RETRIES_MS = [500, 2000, 5000];
 /** Time until another frame where one is wanted soon, ms. */
 const SOON_MS = 300;
 /** Largest file that is read, bytes. */
@@ -52,6 +52,11 @@ export async function createLensbake(canvas, options = {}) {
     return view.handle();
 }
 
+/** How a table begins: as a binary file, or as OpenEXR, which a picture may be as well. */
+const TABLES = [[...'LENSBAKE'].map((letter) => letter.charCodeAt(0)), [0x76, 0x2f, 0x31, 0x01]];
+
+const mayBeTable = (bytes) => TABLES.some((start) => start.every((byte, i) => bytes[i] === byte));
+
 class View {
     constructor(canvas, module, options) {
         this.canvas = canvas;
@@ -64,7 +69,11 @@ class View {
         this.timer = 0;
         this.losses = [];
         this.closed = false;
-        this.file = null;
+        this.backend = options.backend ?? 'auto';
+        this.requested = 0;
+        /** Files of the user's own that are shown: a sky and a table. */
+        this.own = { sky: null, table: null };
+        this.ended = new AbortController();
         this.stop = [];
         this.skies = new Skies(module, (text) => this.say(text));
     }
@@ -88,7 +97,11 @@ class View {
                 viewer: () => this.viewer,
                 ratio: () => this.size.ratio(),
                 changed: () => this.redraw(),
-                command: (name) => this.options.command?.(name),
+                /** Passes a command to the page; false if the page answers none. */
+                command: (name) => {
+                    this.options.command?.(name);
+                    return this.options.command !== undefined;
+                },
             }),
         );
     }
@@ -96,21 +109,26 @@ class View {
     /** Opens a viewer with these settings; what is wrong with them is said, and the others hold. */
     async openViewer(settings) {
         const { Viewer } = this.module.exports;
-        const skies = ['nebula', 'starmap', 'grid', 'stars'];
-        const sky = skies.includes(settings.sky) ? settings.sky : 'nebula';
+        const sky = Viewer.builtInSkies().includes(settings.sky) ? settings.sky : 'nebula';
         const { width, height } = this.size.now();
-        const backend = this.options.backend ?? 'auto';
         const pass = this.options.pass ?? 'auto';
-        const viewer = await Viewer.open(this.canvas, backend, pass, sky, width, height, (reason) => {
-            if (this.viewer === viewer) {
+        let viewer = null;
+        let early = null;
+        const failed = (reason) => {
+            if (viewer === null) {
+                early = reason;
+            } else if (this.viewer === viewer) {
                 this.lost(reason);
             }
-        });
+        };
+        viewer = await Viewer.open(this.canvas, this.backend, pass, sky, width, height, failed);
         if (this.closed) {
             viewer.free();
             return;
         }
         this.viewer = viewer;
+        // A canvas belongs to the kind of context that it had first.
+        this.backend = viewer.backend;
         for (const [name, value] of Object.entries(settings)) {
             try {
                 viewer.set(name, String(value));
@@ -120,10 +138,14 @@ class View {
         }
         viewer.settle();
         this.redraw();
+        if (early !== null || this.contextIsLost()) {
+            this.lost(early ?? 'the WebGL context was lost');
+        }
     }
 
     redraw() {
         if (this.request === 0 && this.viewer !== null && document.visibilityState !== 'hidden') {
+            this.requested = performance.now();
             this.request = requestAnimationFrame(() => this.frame());
         }
     }
@@ -141,22 +163,29 @@ class View {
         }
         const { FrameState } = this.module.exports;
         const { width, height } = this.size.now();
+        if (width === 0 || height === 0) {
+            // Another frame comes with another size.
+            return;
+        }
         let state;
         try {
-            state = viewer.frame(performance.now(), width, height);
+            state = viewer.frame(performance.now(), this.requested, width, height);
         } catch (error) {
             this.broken(error);
             return;
         }
-        this.frames += 1;
         if (state === FrameState.Moving) {
             this.redraw();
         } else if (state !== FrameState.Still) {
             this.redrawSoon();
         }
         viewer.takeMessages().forEach((text) => this.say(text));
-        this.options.drawn?.();
-        if (viewer.wantsSky || viewer.wantsStars) {
+        if (state !== FrameState.NotShown) {
+            this.frames += 1;
+            this.options.drawn?.();
+        }
+        // What is called may have ended the view.
+        if (this.viewer === viewer && (viewer.wantsSky || viewer.wantsStars)) {
             // After this frame is shown.
             setTimeout(() => this.viewer === viewer && this.makeWhatIsWanted());
         }
@@ -165,8 +194,7 @@ class View {
     /** Starts what the picture lacks: the whole sky, and the stars. */
     makeWhatIsWanted() {
         const { viewer } = this;
-        const name = viewer.takeWantedSky();
-        if (name !== undefined) {
+        for (let name = viewer.takeWantedSky(); name !== undefined; name = viewer.takeWantedSky()) {
             this.skies.make(name, viewer, () => this.viewer === viewer && this.redraw());
         }
         if (viewer.wantsStars && viewer.drawsStars) {
@@ -206,20 +234,28 @@ class View {
         // Without this the browser does not restore the context.
         event.preventDefault();
         if (this.viewer?.backend === 'webgl') {
-            const restored = new Promise((done, failed) => {
-                this.canvas.addEventListener('webglcontextrestored', done, { once: true });
-                setTimeout(() => failed(new Error('the browser does not give it back')), RESTORE_MS);
-            });
-            this.lost('the WebGL context was lost', restored);
+            this.lost('the WebGL context was lost');
         }
     }
 
-    /** Opens another viewer in place of one whose device is lost, once `ready`. */
-    async lost(reason, ready = Promise.resolve()) {
+    /** Whether the canvas draws with WebGL, and its context is lost. */
+    contextIsLost() {
+        return this.backend === 'webgl' && (this.canvas.getContext('webgl2')?.isContextLost() ?? false);
+    }
+
+    /** Opens another viewer in place of one whose device is lost. */
+    async lost(reason) {
         if (this.closed || this.viewer === null) {
             return;
         }
-        const settings = this.settings();
+        let settings = this.last;
+        let sky;
+        try {
+            settings = this.settings();
+            sky = this.viewer.get('sky');
+        } catch {
+            // After an error in it, the viewer says nothing more.
+        }
         this.close();
         const now = performance.now();
         this.losses = this.losses.filter((time) => now - time < RECOVERY_MS);
@@ -230,20 +266,48 @@ class View {
         }
         this.say('The graphics device was lost; drawing again.');
         try {
-            await ready;
-            await this.openViewer(settings);
-            if (this.file !== null) {
-                await this.openFile(this.file);
-            }
+            await this.reopen(settings);
         } catch (error) {
-            this.options.failed?.(`${reason}, and cannot be opened again: ${error.message ?? error}`);
+            if (!this.closed) {
+                this.options.failed?.(`${reason}, and cannot be opened again: ${error.message ?? error}`);
+            }
+            return;
+        }
+        const { own } = this;
+        const files = [own.table, own.sky?.name === sky ? own.sky : null].filter((file) => file !== null);
+        for (const file of files) {
+            await this.openFile(file).catch((error) => this.say(error.message));
         }
     }
 
-    /** A frame failed: a lost device if the viewer can still speak, else an error in it. */
+    async reopen(settings) {
+        for (const wait of [0, ...RETRIES_MS]) {
+            await new Promise((done) => setTimeout(done, wait));
+            if (this.contextIsLost()) {
+                const { signal } = this.ended;
+                await new Promise((done) => {
+                    this.canvas.addEventListener('webglcontextrestored', done, { once: true, signal });
+                });
+            }
+            if (this.closed) {
+                return;
+            }
+            try {
+                await this.openViewer(settings);
+                return;
+            } catch (error) {
+                if (wait === RETRIES_MS.at(-1) || this.closed) {
+                    throw error;
+                }
+            }
+        }
+    }
+
+    /** A frame failed: the device is lost, or there is an error in the viewer. */
     broken(error) {
         if (error instanceof WebAssembly.RuntimeError) {
             this.viewer = null;
+            this.skies.cancel();
             this.options.failed?.('The viewer failed: reload the page. The console says more.');
             console.error(error);
         } else {
@@ -260,12 +324,23 @@ class View {
         if (viewer === null) {
             throw new Error(`${file.name}: nothing is drawn now`);
         }
-        if (!viewer.takeTable(file.name, bytes)) {
-            this.say(`reading ${file.name} …`);
-            await this.skies.read(file.name, bytes, viewer, () => this.viewer === viewer && this.redraw());
+        if (mayBeTable(bytes) && viewer.takeTable(file.name, bytes)) {
+            this.own.table = file;
+            this.redraw();
+            return;
         }
-        this.file = file;
-        this.redraw();
+        this.say(`reading ${file.name} …`);
+        const before = this.own.sky;
+        // If the device is lost meanwhile, the file is read again.
+        this.own.sky = file;
+        try {
+            await this.skies.read(file.name, bytes, viewer, () => this.redraw());
+        } catch (error) {
+            if (this.viewer === viewer) {
+                this.own.sky = before;
+                throw error;
+            }
+        }
     }
 
     async screenshot() {
@@ -281,12 +356,16 @@ class View {
     /** Frees everything, for good. */
     end() {
         this.closed = true;
+        this.ended.abort();
         this.stop.forEach((stop) => stop());
         this.stop = [];
         this.close();
     }
 
     async time(count) {
+        if (this.viewer === null) {
+            throw new Error('nothing is drawn now');
+        }
         const { width, height } = this.size.now();
         await this.viewer.drawPictures(width, height, 1);
         const began = performance.now();
@@ -363,7 +442,7 @@ class View {
             get complete() {
                 return view.viewer !== null && !view.viewer.wantsSky && !view.skies.busy;
             },
-            /** Frees everything. The canvas keeps its last picture. */
+            /** Ends the view and frees what it holds. What the canvas shows after that depends on the browser. */
             destroy: () => this.end(),
         };
     }

@@ -16,13 +16,13 @@ export class Messages {
     say(text) {
         const now = performance.now();
         const { element } = this;
-        const before = now - this.said < TOGETHER_MS && !element.hidden ? element.textContent.split('\n') : [];
-        const all = [...before.filter((one) => one !== text), text].join('\n');
+        const before = now - this.said < TOGETHER_MS ? element.textContent.split('\n') : [];
+        const all = [...before.filter((one) => one !== text && one !== ''), text].join('\n');
         this.said = now;
         element.textContent = all;
-        element.hidden = false;
         clearTimeout(this.timer);
         const time = Math.min(Math.max(LEAST_MS, MS_A_CHARACTER * all.length), MOST_MS);
-        this.timer = setTimeout(() => (element.hidden = true), time);
+        // The element stays, empty, because screen readers tell only of changes in what is there.
+        this.timer = setTimeout(() => (element.textContent = ''), time);
     }
 }

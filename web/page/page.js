@@ -6,6 +6,9 @@ import { loadModule } from './module.js';
 import { Messages } from './messages.js';
 import { Panel } from './panel.js';
 
+/** Time for which the button that hides everything leaves its message, ms. */
+const HIDE_MS = 2500;
+
 const element = (id) => document.getElementById(id);
 const canvas = element('view');
 const messages = new Messages(element('message'));
@@ -50,6 +53,10 @@ function command(name) {
 }
 
 function toggleFullScreen() {
+    if (!document.fullscreenEnabled) {
+        messages.say('This browser has no full screen for pages.');
+        return;
+    }
     const shown = document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen();
     shown.catch((error) => messages.say(`No full screen: ${error.message}`));
 }
@@ -76,6 +83,9 @@ function openFile(file) {
 /** Keys that the page answers instead of the view: H hides everything, ? and F1 show the help. */
 function pageKeys(event) {
     if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest('input, select, textarea')) {
+        return;
+    }
+    if (element('help').open) {
         return;
     }
     if (event.code === 'KeyH' && !event.repeat) {
@@ -131,11 +141,11 @@ function listenToPage() {
     element('full-screen').hidden = !document.fullscreenEnabled;
     element('help-button').addEventListener('click', () => element('help').showModal());
     element('hide').addEventListener('click', () => {
-        hideAll(true);
-        messages.say('H or a tap shows the panel again.');
+        messages.say('H or a tap shows everything again.');
+        setTimeout(() => hideAll(true), HIDE_MS);
     });
-    canvas.addEventListener('pointerdown', () => {
-        if (document.body.classList.contains('bare') && matchMedia('(pointer: coarse)').matches) {
+    canvas.addEventListener('pointerdown', (event) => {
+        if (document.body.classList.contains('bare') && event.pointerType === 'touch') {
             hideAll(false);
         }
     });

@@ -18,6 +18,8 @@ export class Panel {
         form.addEventListener('submit', (event) => event.preventDefault());
         form.addEventListener('input', (event) => this.input(event.target));
         form.addEventListener('change', (event) => this.change(event.target));
+        // A number that was refused gives way to the one that holds.
+        form.addEventListener('focusout', () => setTimeout(() => this.refresh()));
         // A control that was used by the pointer gives the keys back to the view.
         form.addEventListener('pointerup', () => setTimeout(() => this.release()));
         this.find('let-go').addEventListener('click', () => view.letGo());
@@ -103,7 +105,10 @@ export class Panel {
         }
         if (now.title !== undefined) {
             document.title = now.title;
-            this.canvas.setAttribute('aria-label', `The sky around a black hole: ${now.title}`);
+            // A screen reader would speak all the time.
+            if (!now.moves) {
+                this.canvas.setAttribute('aria-label', `The sky around a black hole: ${now.title}`);
+            }
         }
         if (this.form.hidden) {
             return;
@@ -158,7 +163,7 @@ export class Panel {
         stars.title = this.view.drawsStars ? '' : 'Stars as points need WebGPU, which this browser does not offer here.';
     }
 
-    /** Shows the rows that the settings leave a meaning. */
+    /** Shows the rows that have an effect with these settings. */
     rows(now) {
         const { motion, method, resolution, shift } = now.values;
         for (const row of this.form.querySelectorAll('.row')) {

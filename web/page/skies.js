@@ -19,7 +19,14 @@ export class Skies {
 
     /** Makes a built-in sky for a viewer; `done` is called when it is shown. */
     make(name, viewer, done) {
-        this.run({ name }, viewer, done).catch((error) => this.say(error.message));
+        const { round } = this;
+        this.run({ name }, viewer, done).catch((error) => {
+            if (round !== this.round) {
+                return;
+            }
+            viewer.skyFailed(name);
+            this.say(`The sky ${name} cannot be made: ${error.message}`);
+        });
     }
 
     /** Reads a panorama for a viewer. Rejects if it cannot be used. */
@@ -31,6 +38,8 @@ export class Skies {
     cancel() {
         this.worker?.terminate();
         this.worker = null;
+        this.reject?.(new Error('the view was closed'));
+        this.reject = null;
         this.waiting = 0;
         this.round += 1;
         this.last = Promise.resolve();
@@ -54,7 +63,11 @@ export class Skies {
         const worker = new Worker(new URL('./sky-worker.js', import.meta.url), { type: 'module' });
         this.worker = worker;
         try {
-            await write(worker, { ...task, module: this.module.compiled }, viewer, () => round === this.round);
+            await new Promise((resolve, reject) => {
+                this.reject = reject;
+                const wanted = () => round === this.round;
+                write(worker, { ...task, module: this.module.compiled }, viewer, wanted).then(resolve, reject);
+            });
         } finally {
             worker.terminate();
         }

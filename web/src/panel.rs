@@ -12,20 +12,6 @@ use lensbake_interactive::title;
 use serde_json::{Map, Value, json};
 use std::time::Duration;
 
-/// A switch as a text.
-pub fn switch(on: bool) -> &'static str {
-    if on { "on" } else { "off" }
-}
-
-/// The switch that a text stands for.
-pub fn switched(text: &str) -> Option<bool> {
-    match text {
-        "on" => Some(true),
-        "off" => Some(false),
-        _ => None,
-    }
-}
-
 /// What the panel shows: `values` by the names of the settings, the choices that depend on the settings, and `costs` as
 /// names and values if a frame was drawn.
 pub fn json(settings: &Settings, info: Option<&PanelInfo>) -> Value {

@@ -9,20 +9,28 @@ import { startOnScreen } from './browser.mjs';
 import { openPage, ready, servePage } from './page.mjs';
 
 const [dist, minutes, query = ''] = process.argv.slice(2);
-if (!minutes) {
-    throw new Error('usage: node soak.mjs DIST MINUTES [QUERY]');
+if (!(Number(minutes) >= 2)) {
+    throw new Error('usage: node soak.mjs DIST MINUTES [QUERY], at least 2 minutes');
 }
 /** Growth that counts as flat, by what is measured: a part of the earlier mean. */
 const MOST = { script: 0.1, wasm: 0.02, processes: 0.1 };
 
-/** MiB of memory that the processes of the browser share out among them: the sum of their proportional sizes. */
+/** MiB of memory of the processes of the browser, of which shared parts count once. */
 function processes() {
-    let kib = 0;
+    const parents = new Map();
     for (const id of readdirSync('/proc').filter((name) => /^\d+$/.test(name))) {
         try {
-            if (readFileSync(`/proc/${id}/cmdline`, 'utf8').includes('chromium')) {
-                kib += Number(/^Pss:\s+(\d+)/m.exec(readFileSync(`/proc/${id}/smaps_rollup`, 'utf8'))?.[1] ?? 0);
-            }
+            // The name of a program is in parentheses and may contain spaces.
+            parents.set(id, readFileSync(`/proc/${id}/stat`, 'utf8').split(') ').at(-1).split(' ')[1]);
+        } catch {
+            // It has ended.
+        }
+    }
+    const isOurs = (id) => id !== undefined && (id === String(process.pid) || isOurs(parents.get(id)));
+    let kib = 0;
+    for (const id of [...parents.keys()].filter((id) => id !== String(process.pid) && isOurs(id))) {
+        try {
+            kib += Number(/^Pss:\s+(\d+)/m.exec(readFileSync(`/proc/${id}/smaps_rollup`, 'utf8'))?.[1] ?? 0);
         } catch {
             // It has ended.
         }

@@ -87,6 +87,21 @@ const checks = {
         return page;
     },
 
+    /** A key that is released while Control is held, or after the focus has moved, moves nothing any more. */
+    async 'released keys'() {
+        const page = await opened();
+        await page.keyboard.down('d');
+        await page.keyboard.down('Control');
+        await page.keyboard.up('d');
+        await page.keyboard.up('Control');
+        await settled(page);
+        await page.keyboard.down('d');
+        await page.locator('#sky').focus();
+        await settled(page);
+        await page.keyboard.up('d');
+        return page;
+    },
+
     /** H hides everything, ? shows the help; Tab moves the focus and keys typed into a field stay there. */
     async 'keys of the page'() {
         const page = await opened();
@@ -216,7 +231,7 @@ const checks = {
         );
         assert.deepEqual(nameless, []);
         const tree = await page.locator('body').ariaSnapshot();
-        for (const part of ['img "The sky around a black hole', 'slider "radius"', 'combobox "motion"', 'button "Reset"']) {
+        for (const part of ['application "The sky around a black hole', 'slider "radius"', 'combobox "motion"', 'button "Reset"']) {
             assert.ok(tree.includes(part), `${part} is not in\n${tree}`);
         }
         return page;
@@ -232,7 +247,7 @@ const checks = {
         });
         await page.keyboard.press('m');
         await page.keyboard.press('c');
-        await until(page, () => location.search.includes('method=difference'));
+        await until(page, () => /shift=colour.*method=difference/.test(location.search));
         assert.equal(
             await search(page),
             '?radius=4&motion=-0.25,0.5&yaw=30&shift=colour&method=difference&divider=0.25&sky=grid',
@@ -355,6 +370,26 @@ const checks = {
         await until(page, () => window.lensbake.backend === 'webgl' && window.lensbake.complete);
         await settled(page);
         assert.match(await message(page), /was lost; drawing again/);
+        assert.equal(difference(before, await pixels(browser, await readBack(page))).max, 0);
+        return page;
+    },
+
+    /** A sky of the user's own is there again as well. */
+    async 'lost context, own sky'() {
+        const page = await opened('&radius=5&backend=webgl');
+        await page.locator('#file').setInputFiles(resolve(panorama));
+        await until(page, () => window.lensbake.get('sky') === 'own.png');
+        await settled(page);
+        const before = await pixels(browser, await readBack(page));
+        await page.evaluate(async () => {
+            const lose = document.getElementById('view').getContext('webgl2').getExtension('WEBGL_lose_context');
+            lose.loseContext();
+            await new Promise((done) => setTimeout(done, 100));
+            lose.restoreContext();
+        });
+        await until(page, () => document.getElementById('message').textContent.includes('was lost; drawing again'));
+        await until(page, () => window.lensbake.get('sky') === 'own.png' && window.lensbake.complete);
+        await settled(page);
         assert.equal(difference(before, await pixels(browser, await readBack(page))).max, 0);
         return page;
     },

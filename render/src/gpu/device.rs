@@ -16,9 +16,13 @@ const POLL_MS: u32 = 4;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum GpuError {
     /// There is no adapter.
-    #[error(
-        "no GPU adapter found: install a Vulkan driver (on Debian and Ubuntu `mesa-vulkan-drivers` \
+    #[cfg_attr(target_arch = "wasm32", error("no adapter of WebGPU or WebGL 2"))]
+    #[cfg_attr(
+        not(target_arch = "wasm32"),
+        error(
+            "no GPU adapter found: install a Vulkan driver (on Debian and Ubuntu `mesa-vulkan-drivers` \
          brings one in software), or draw without one: viewer render --device cpu"
+        )
     )]
     NoAdapter,
     /// `WGPU_BACKEND` names a backend that is unknown or not available.

@@ -351,7 +351,8 @@ impl OpenWindow {
 
     fn notice_lost_stars(&mut self, now: Duration) {
         if let Some(notice) = self.session.lost_stars(now) {
-            self.refuse(notice.into());
+            let way_out = "start again with a lower --star-exposure or fewer stars";
+            self.refuse(format!("{notice}; {way_out}"));
             self.redraw();
         }
     }

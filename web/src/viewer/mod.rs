@@ -14,12 +14,13 @@ use lensbake_interactive::plan::Plan;
 use lensbake_interactive::resolution::Resolution;
 use lensbake_interactive::session::Session;
 use lensbake_interactive::settings::Settings;
-use lensbake_interactive::skies::Selected;
+use lensbake_interactive::skies::{BUILT_IN, Selected};
 use lensbake_interactive::stage::{Frame, Stage};
 use lensbake_interactive::state::{NamedTable, State};
 use lensbake_render::camera::View;
 use lensbake_render::gpu::{Gpu, Pass, Renderer};
 use lensbake_render::lens::Deflection;
+use lensbake_render::sky::SkySource;
 use lensbake_tables::default_atlas;
 use std::time::Duration;
 use wasm_bindgen::prelude::*;
@@ -32,6 +33,8 @@ use wgpu::{Backends, SurfaceTarget};
 const FIRST_SKY_TEXELS: u32 = 192;
 /// Time after the last change from which on the automatic resolution is the canvas' own.
 const AT_REST: Duration = Duration::from_millis(250);
+/// Longest time between frames that says something about the GPU; a longer one is that of a page that was stopped.
+const LONGEST_FRAME: Duration = Duration::from_secs(5);
 /// Name of the built-in table.
 const ATLAS: &str = "built-in atlas";
 
@@ -57,8 +60,8 @@ pub struct Viewer {
     input: Input,
     start: Settings,
     messages: Vec<String>,
-    /// The built-in sky that is to be made.
-    wanted_sky: Option<String>,
+    /// The built-in skies that are to be made.
+    wanted_skies: Vec<String>,
     width: f64,
     drawn: Option<Plan>,
     /// When the last frame began in which something moved.
@@ -66,6 +69,13 @@ pub struct Viewer {
     last_drawn: Option<Duration>,
     changed: Duration,
     intervals: Meter,
+}
+
+impl Drop for Viewer {
+    /// Frees the memory of the GPU now, which JavaScript would do when it collects garbage.
+    fn drop(&mut self) {
+        self.session.stage.gpu().device.destroy();
+    }
 }
 
 fn seconds(milliseconds: f64) -> Duration {
@@ -125,7 +135,7 @@ impl Viewer {
         let stage = Stage::new(renderer, surface, [width, height], &texels).await;
         let (stage, on_device) = stage.map_err(error)?;
         Ok(Viewer {
-            wanted_sky: Some(sky).filter(|_| texels.face_texels() > 1),
+            wanted_skies: Vec::from_iter(Some(sky).filter(|_| texels.face_texels() > 1)),
             session: Session::new(state, stage, source, on_device),
             input: Input::default(),
             start: settings,
@@ -137,6 +147,12 @@ impl Viewer {
             changed: Duration::ZERO,
             intervals: Meter::default(),
         })
+    }
+
+    /// Names of the built-in skies.
+    #[wasm_bindgen(js_name = builtInSkies)]
+    pub fn built_in_skies() -> Vec<String> {
+        BUILT_IN.iter().map(SkySource::name).collect()
     }
 
     /// Name of the adapter and its backend.
@@ -155,11 +171,18 @@ impl Viewer {
         .to_owned()
     }
 
-    /// Draws a frame to the canvas, of this size in pixels, at a time in milliseconds.
+    /// Draws a frame to the canvas, of this size in pixels, at the time `now`, which was requested at the time `requested`;
+    /// both in milliseconds.
     ///
     /// # Errors
     /// If the device failed, or the size cannot be drawn.
-    pub fn frame(&mut self, now: f64, width: u32, height: u32) -> Result<FrameState, JsError> {
+    pub fn frame(
+        &mut self,
+        now: f64,
+        requested: f64,
+        width: u32,
+        height: u32,
+    ) -> Result<FrameState, JsError> {
         let now = seconds(now);
         self.width = f64::from(width.max(1));
         let moving = self.advance(now);
@@ -183,7 +206,7 @@ impl Viewer {
             Frame::Drawn(frame) => self.session.stage.present(frame),
             Frame::Skipped | Frame::Outdated | Frame::Lost => return Ok(FrameState::NotShown),
         }
-        self.learn(now);
+        self.learn(now, seconds(requested));
         if let Some(notice) = self.session.lost_stars(now) {
             self.say(notice);
         }
@@ -217,15 +240,18 @@ impl Viewer {
         moving
     }
 
-    /// Adjusts the automatic resolution: to the GPU's times, or without them to the time between frames.
-    fn learn(&mut self, now: Duration) {
+    /// Adjusts the automatic resolution: to the GPU's times, or without them to the time since the last frame, or since this
+    /// one was requested if that was later. A browser starts a frame late while the GPU has not finished the last one.
+    fn learn(&mut self, now: Duration, requested: Duration) {
         self.session.record_gpu_times();
         let timed = self.session.stage.gpu().has_timestamps();
-        let since = self.last_drawn.map(|last| now.saturating_sub(last));
+        let since = self
+            .last_drawn
+            .map(|last| now.saturating_sub(last.max(requested)));
         self.last_drawn = Some(now);
         let settings = &self.session.state.settings;
         if let (false, Some(since), Resolution::Auto) = (timed, since, settings.resolution)
-            && since < AT_REST
+            && since < LONGEST_FRAME
         {
             self.session
                 .auto
@@ -250,7 +276,7 @@ impl Viewer {
 impl Viewer {
     fn select(&mut self, index: usize) {
         if let Selected::Load(source) = self.session.select_sky(index) {
-            self.wanted_sky = Some(source.name());
+            self.wanted_skies.push(source.name());
         }
     }
 

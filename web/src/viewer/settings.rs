@@ -3,7 +3,7 @@
 use super::{Viewer, error};
 use crate::panel;
 use crate::sky_texels::built_in;
-use lensbake_interactive::parameters::ParameterError;
+use lensbake_interactive::parameters::{ParameterError, switch, switch_name};
 use lensbake_render::sky::SkySource;
 use wasm_bindgen::prelude::*;
 
@@ -13,7 +13,7 @@ impl Viewer {
     pub fn get(&self, name: &str) -> Option<String> {
         match name {
             "sky" => Some(self.session.skies().name()),
-            "stars" => Some(panel::switch(self.session.stars_everywhere).to_owned()),
+            "stars" => Some(switch_name(self.session.stars_everywhere)),
             _ => self.session.state.settings.parameter(name),
         }
     }
@@ -34,7 +34,7 @@ impl Viewer {
                 self.select(index);
             }
             "stars" => {
-                self.session.stars_everywhere = panel::switched(text)
+                self.session.stars_everywhere = switch(text)
                     .ok_or_else(|| error(format!("stars is '{text}', but must be on or off")))?;
                 self.session.show_stars();
             }

@@ -38,13 +38,13 @@ impl Viewer {
     /// Whether a built-in sky is to be made that [`Viewer::take_wanted_sky`] has not yet given.
     #[wasm_bindgen(getter, js_name = wantsSky)]
     pub fn wants_sky(&self) -> bool {
-        self.wanted_sky.is_some()
+        !self.wanted_skies.is_empty()
     }
 
     /// The built-in sky that is to be made now by `makeSky`, once.
     #[wasm_bindgen(js_name = takeWantedSky)]
     pub fn take_wanted_sky(&mut self) -> Option<String> {
-        self.wanted_sky.take()
+        self.wanted_skies.pop()
     }
 
     /// Makes room for a sky with this many texels along the edge of a face: a promise of its writer. A name that is not
@@ -58,6 +58,14 @@ impl Viewer {
             let upload = upload.map_err(|e| error(format!("{}: {e}", source.name())))?;
             Ok(SkyWriter { source, upload }.into())
         })
+    }
+
+    /// Forgets that the built-in sky of this name is being made, because that failed: it is made when it is selected again.
+    #[wasm_bindgen(js_name = skyFailed)]
+    pub fn sky_failed(&mut self, name: &str) {
+        if let Some(source) = built_in(name) {
+            self.session.forget_sky(&source);
+        }
     }
 
     /// Shows the sky whose faces have been written, unless another was selected meanwhile.
