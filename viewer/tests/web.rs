@@ -101,8 +101,11 @@ const SCENES: [Scene; 5] = [
     },
 ];
 
+/// Whether a page draws a scene.
+type Draws = fn(&Scene) -> bool;
+
 /// What draws in the browser, and which scenes: WebGL2 has no point stars.
-const PAGES: [(&str, fn(&Scene) -> bool); 3] = [
+const PAGES: [(&str, Draws); 3] = [
     ("backend=webgpu", |_| true),
     ("backend=webgpu&pass=fragment", |scene| scene.has_edges),
     ("backend=webgl", |scene| scene.name != "stars"),
