@@ -104,11 +104,16 @@ fn the_window_shows_what_the_headless_program_draws_and_obeys_the_keys() {
     window.press(&["l"]);
     assert_eq!(window.at_rest(), start);
 
-    // V: one ray per pixel, and the mean again.
-    window.press(&["v"]);
-    window.shows("one ray a pixel", |shot| *shot != start);
-    let single = rendered(folder, &["--sampling", "single"]);
-    same(&window.at_rest(), &single);
+    // V: the mean by the hardware, one ray per pixel, and the mean again.
+    for sampling in ["anisotropic", "single"] {
+        let before = window.at_rest();
+        window.press(&["v"]);
+        window.shows(sampling, |shot| *shot != before);
+        same(
+            &window.at_rest(),
+            &rendered(folder, &["--sampling", sampling]),
+        );
+    }
     window.press(&["v"]);
     window.shows("the mean", |shot| *shot == start);
 
