@@ -12,7 +12,7 @@ use std::time::Duration;
 const GRAB: f64 = 10.0;
 /// Orbit angle for a drag across the whole picture, degrees.
 const ORBIT_DRAG_DEG: f64 = 180.0;
-/// Touches come closer, or go apart, by this factor for one notch of the wheel.
+/// Factor by which the distance between two touches grows for the effect of one notch of the wheel.
 const PINCH_NOTCH: f64 = 1.1;
 
 /// What the pointer drags.
@@ -51,7 +51,7 @@ pub struct Input {
     drag: Option<Drag>,
 }
 
-/// What is to be done after an event.
+/// What the caller must do after an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reaction {
     /// Nothing: the picture stays the same.
@@ -122,7 +122,7 @@ impl Input {
         self.drag = None;
     }
 
-    /// The pointer jumps to a place, in pixels of a picture, and drags nothing on the way.
+    /// Sets the position of the pointer, in pixels of the picture, without dragging.
     pub fn place(&mut self, to: [f64; 2]) {
         self.pointer = to;
     }
@@ -149,7 +149,7 @@ impl Input {
     }
 }
 
-/// Moves by notches of the wheel: nearer, or with `zooms` to a smaller field of view.
+/// Moves nearer by this many notches of the wheel; with `zooms`, makes the field of view smaller instead.
 pub fn wheel(view: &mut View, notches: f64, zooms: bool) {
     match zooms {
         true => motion::zoom(view, notches),
@@ -157,7 +157,7 @@ pub fn wheel(view: &mut View, notches: f64, zooms: bool) {
     }
 }
 
-/// Moves nearer as two touches go apart by the factor `apart`.
+/// Moves nearer after a pinch in which the distance between two touches grew by the factor `apart`.
 pub fn pinch(view: &mut View, apart: f64) {
     if apart.is_finite() && apart > 0.0 {
         motion::scroll(view, apart.ln() / PINCH_NOTCH.ln());

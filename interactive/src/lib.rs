@@ -7,6 +7,7 @@
 //! the frame rate.
 
 pub mod fall;
+pub mod frame_clock;
 mod great_circle;
 mod held_keys;
 pub mod input;

@@ -51,16 +51,7 @@ impl Settings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lensbake_render::camera::View;
-
-    fn at(radius: f64, motion: Motion) -> Settings {
-        let view = View {
-            radius,
-            motion,
-            ..View::default()
-        };
-        Settings::new(view, 0.05)
-    }
+    use crate::settings::at;
 
     /// The motions after one to four presses of the key.
     fn cycle(mut settings: Settings) -> [Motion; 4] {

@@ -1,6 +1,7 @@
 //! What the panel says about the motion of the camera: where it is, its speed, and its proper times.
 
 use crate::settings::Settings;
+use crate::title;
 use lensbake_core::geodesic::{fall_time, orbit_rate, orbit_speed};
 use lensbake_core::{Motion, R_PHOTON};
 
@@ -49,6 +50,22 @@ pub fn facts(settings: &Settings) -> Vec<(&'static str, String)> {
     facts
 }
 
+/// What letting go does now, as the name of a button.
+pub fn let_go_name(settings: &Settings) -> &'static str {
+    match settings.falling() {
+        None => "Let go",
+        Some(fall) if fall.runs() => "Pause",
+        Some(fall) if fall.has_ended(settings.view.radius) => "Fall again",
+        Some(_) => "Go on",
+    }
+}
+
+/// The way back to where the camera let go, as the name of a button, if it has let go.
+pub fn way_back_name(settings: &Settings) -> Option<String> {
+    let start = settings.falling()?.start();
+    Some(format!("Back to r = {}", title::radius(start.radius)))
+}
+
 /// The speed of the free fall relative to the observer at rest.
 fn fall_speed(radius: f64) -> String {
     match radius > 1.0 {
@@ -75,16 +92,7 @@ pub fn time(time: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lensbake_render::camera::View;
-
-    fn at(radius: f64, motion: Motion) -> Settings {
-        let view = View {
-            radius,
-            motion,
-            ..View::default()
-        };
-        Settings::new(view, 0.05)
-    }
+    use crate::settings::at;
 
     #[track_caller]
     fn says(settings: &Settings, known: &[(&str, &str)]) {

@@ -109,6 +109,18 @@ macro_rules! number {
     };
 }
 
+/// Defines a parameter whose field of the settings has one of a list of choices.
+macro_rules! choice {
+    ($name:literal, $expects:literal, $choices:ident, $field:ident) => {
+        Parameter {
+            name: $name,
+            expects: $expects,
+            get: |settings| text_of(&$choices, settings.$field),
+            set: |settings, text| chosen(&$choices, text).map(|value| settings.$field = value),
+        }
+    };
+}
+
 /// All parameters, in the order in which an address lists them.
 pub const PARAMETERS: [Parameter; 22] = [
     number!("radius", "a number of Schwarzschild radii", view.radius),
@@ -146,12 +158,7 @@ pub const PARAMETERS: [Parameter; 22] = [
         },
     },
     number!("exposure", "a number of stops from -8 to 8", exposure),
-    Parameter {
-        name: "auto-exposure",
-        expects: "on or off",
-        get: |settings| switch_name(settings.auto_exposure),
-        set: |settings, text| switch(text).map(|on| settings.auto_exposure = on),
-    },
+    choice!("auto-exposure", "on or off", SWITCH, auto_exposure),
     Parameter {
         name: "method",
         expects: "lut, direct, split, difference or flat",
@@ -182,18 +189,18 @@ pub const PARAMETERS: [Parameter; 22] = [
     },
     number!("divider", "a part of the width from 0 to 1", divider),
     number!("gain", "a factor from 1 to 1048576", gain),
-    Parameter {
-        name: "sampling",
-        expects: "filtered, anisotropic or single",
-        get: |settings| text_of(&SAMPLINGS, settings.sampling),
-        set: |settings, text| chosen(&SAMPLINGS, text).map(|one| settings.sampling = one),
-    },
-    Parameter {
-        name: "resolution",
-        expects: "1, 2, auto, 1/4 or 1/2",
-        get: |settings| text_of(&RESOLUTIONS, settings.resolution),
-        set: |settings, text| chosen(&RESOLUTIONS, text).map(|one| settings.resolution = one),
-    },
+    choice!(
+        "sampling",
+        "filtered, anisotropic or single",
+        SAMPLINGS,
+        sampling
+    ),
+    choice!(
+        "resolution",
+        "1, 2, auto, 1/4 or 1/2",
+        RESOLUTIONS,
+        resolution
+    ),
     number!(
         "frame-time",
         "a number of milliseconds from 4 to 200",
@@ -207,12 +214,7 @@ pub const PARAMETERS: [Parameter; 22] = [
             index_of(&ORBIT_SPEEDS, text).map(|speed| settings.orbit_speed = speed)
         },
     },
-    Parameter {
-        name: "true-period",
-        expects: "on or off",
-        get: |settings| switch_name(settings.true_period),
-        set: |settings, text| switch(text).map(|on| settings.true_period = on),
-    },
+    choice!("true-period", "on or off", SWITCH, true_period),
     Parameter {
         name: "pace",
         expects: "0.25, 0.5, 1, 2, 4 or 16 r_s/c per second",

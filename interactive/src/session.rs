@@ -1,5 +1,7 @@
 //! A session: the state, the skies and the stars to choose from, and the stage that draws them.
 
+use crate::frame_clock::FrameClock;
+use crate::input::Input;
 use crate::meter::Meter;
 use crate::panel_info::PanelInfo;
 use crate::plan::{Plan, scaled};
@@ -29,6 +31,7 @@ pub struct Session {
     stars_on_device: Option<StarsOnDevice>,
     stars_shown: bool,
     star_notice: StarNotice,
+    clock: FrameClock,
     pictures: Meter,
     frames: Meter,
 }
@@ -46,6 +49,7 @@ impl Session {
             stars_on_device: None,
             stars_shown: false,
             star_notice: StarNotice::default(),
+            clock: FrameClock::default(),
             pictures: Meter::default(),
             frames: Meter::default(),
         }
@@ -114,6 +118,26 @@ impl Session {
         self.stars_shown = wanted;
     }
 
+    /// Moves the camera at the beginning of a frame, by the keys that `input` holds and by itself, for the time since the
+    /// last frame. Returns whether something keeps moving, and a message if there is one.
+    pub fn advance(&mut self, input: &mut Input, now: Duration) -> (bool, Option<String>) {
+        let settings = &mut self.state.settings;
+        let held = input.steer(&mut settings.view, now);
+        let moving = held || settings.moves();
+        let since = self.clock.begin(now, moving);
+        (moving, settings.advance(since.as_secs_f64()))
+    }
+
+    /// Whether something moved in the last frame.
+    pub fn moves(&self) -> bool {
+        self.clock.runs()
+    }
+
+    /// Lets no time pass until the next frame, after a pause in which none were drawn.
+    pub fn pause(&mut self) {
+        self.clock.pause();
+    }
+
     /// The plan of the next frame, for a window of this size in pixels; `None` if it has no pixels. With `at_rest` the
     /// automatic resolution is the window's.
     ///
@@ -151,12 +175,12 @@ impl Session {
         light.and_then(|light| self.star_notice.of(light, now))
     }
 
-    /// What the panel shows about a frame; `interval` is the mean time between frames while something moves.
-    pub fn info(&self, plan: &Plan, interval: Option<Duration>) -> PanelInfo {
+    /// What the panel shows about a frame.
+    pub fn info(&self, plan: &Plan) -> PanelInfo {
         let table = self.state.table();
         PanelInfo {
             skies: (self.skies.names().collect(), self.skies.shown()),
-            interval,
+            interval: self.clock.interval(),
             picture_time: self.pictures.mean(),
             frame_time: self.frames.mean(),
             picture: plan.picture(),

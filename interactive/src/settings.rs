@@ -307,6 +307,17 @@ pub fn next<T: PartialEq + Copy>(all: &[T], now: T) -> T {
     all[(at + 1) % all.len()]
 }
 
+/// The settings of a camera at this radius in this motion, for tests.
+#[cfg(test)]
+pub(crate) fn at(radius: f64, motion: Motion) -> Settings {
+    let view = View {
+        radius,
+        motion,
+        ..View::default()
+    };
+    Settings::new(view, 0.05)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

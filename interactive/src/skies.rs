@@ -27,7 +27,7 @@ pub struct Skies {
     shown: usize,
 }
 
-/// What is to be done for a sky that was selected.
+/// What the caller must do after a sky was selected.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Selected {
     /// Show it: it is on the device.

@@ -141,6 +141,11 @@ impl State {
         })
     }
 
+    /// The settings at the start.
+    pub fn start(&self) -> &Settings {
+        &self.start.0
+    }
+
     /// The table in use.
     pub fn table(&self) -> &NamedTable {
         &self.table

@@ -10,7 +10,8 @@ use glam::{DVec3, Vec3};
 use lensbake_core::RayOutcome;
 use rayon::prelude::*;
 
-/// Draws `scene`, with [`Sampling::Filtered`] if it is [`Sampling::Anisotropic`]. `row_done` is called after each row of pixels.
+/// Draws `scene`. [`Sampling::Anisotropic`] is drawn as [`Sampling::Filtered`]. `row_done` is called after each row of
+/// pixels.
 ///
 /// ```
 /// use lensbake_render::camera::{Camera, View};

@@ -127,6 +127,7 @@ class View {
             return;
         }
         this.viewer = viewer;
+        this.starsBegun = false;
         // A canvas belongs to the kind of context that it had first.
         this.backend = viewer.backend;
         for (const [name, value] of Object.entries(settings)) {
@@ -185,7 +186,7 @@ class View {
             this.options.drawn?.();
         }
         // What is called may have ended the view.
-        if (this.viewer === viewer && (viewer.wantsSky || viewer.wantsStars)) {
+        if (this.viewer === viewer && (viewer.wantsSky || (viewer.wantsStars && !this.starsBegun))) {
             // After this frame is shown.
             setTimeout(() => this.viewer === viewer && this.makeWhatIsWanted());
         }
@@ -197,10 +198,13 @@ class View {
         for (let name = viewer.takeWantedSky(); name !== undefined; name = viewer.takeWantedSky()) {
             this.skies.make(name, viewer, () => this.viewer === viewer && this.redraw());
         }
-        if (viewer.wantsStars && viewer.drawsStars) {
+        if (!viewer.wantsStars || this.starsBegun) {
+            return;
+        }
+        this.starsBegun = true;
+        if (viewer.drawsStars) {
             this.skies.fetchStars(viewer, () => this.viewer === viewer && this.redraw());
-        } else if (viewer.wantsStars && !this.toldStars) {
-            this.toldStars = true;
+        } else {
             this.say('Stars as points need WebGPU, which this browser does not offer here.');
         }
     }

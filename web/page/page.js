@@ -17,6 +17,7 @@ let view = null;
 let panel = null;
 let bar = null;
 let pictures = 0;
+let drawn = false;
 
 function progress(loaded, total) {
     const mb = (bytes) => (bytes / 1e6).toFixed(1);
@@ -190,7 +191,8 @@ async function start() {
         message: (text) => messages.say(text),
         command,
         drawn: () => {
-            if (performance.getEntriesByName('first-picture').length === 0) {
+            if (!drawn) {
+                drawn = true;
                 performance.mark('first-picture');
             }
             panel?.update();

@@ -9,7 +9,6 @@ export class Skies {
         this.waiting = 0;
         this.round = 0;
         this.last = Promise.resolve();
-        this.starsAsked = false;
     }
 
     /** Whether a sky is being made or read. */
@@ -43,7 +42,6 @@ export class Skies {
         this.waiting = 0;
         this.round += 1;
         this.last = Promise.resolve();
-        this.starsAsked = false;
     }
 
     /** Runs a task after those before it: each takes the memory of a sky. */
@@ -73,12 +71,8 @@ export class Skies {
         }
     }
 
-    /** Loads the catalogue of stars for a viewer, once. */
+    /** Loads the catalogue of stars for a viewer. */
     async fetchStars(viewer, done) {
-        if (this.starsAsked) {
-            return;
-        }
-        this.starsAsked = true;
         const { round } = this;
         this.waiting += 1;
         try {

@@ -1,10 +1,9 @@
 //! What the panel shows, as JSON for the page.
 
 use lensbake_core::Motion;
-use lensbake_interactive::fall::Fall;
 use lensbake_interactive::motion::radii;
 use lensbake_interactive::motion_choice::{name, problem};
-use lensbake_interactive::motion_facts::{facts, region};
+use lensbake_interactive::motion_facts::{facts, let_go_name, region, way_back_name};
 use lensbake_interactive::panel_info::PanelInfo;
 use lensbake_interactive::parameters::PARAMETERS;
 use lensbake_interactive::settings::Settings;
@@ -12,8 +11,8 @@ use lensbake_interactive::title;
 use serde_json::{Map, Value, json};
 use std::time::Duration;
 
-/// What the panel shows: `values` by the names of the settings, the choices that depend on the settings, and `costs` as
-/// names and values if a frame was drawn.
+/// Returns what the panel shows: `values` by the names of the settings, and the choices that depend on the settings. After
+/// the first frame also `costs`, as pairs of name and value.
 pub fn json(settings: &Settings, info: Option<&PanelInfo>) -> Value {
     let values: Map<String, Value> = PARAMETERS
         .iter()
@@ -27,16 +26,6 @@ pub fn json(settings: &Settings, info: Option<&PanelInfo>) -> Value {
             json!({ "value": motion.to_string(), "name": name(motion), "problem": problem })
         })
         .collect();
-    let fall = settings.falling();
-    let let_go = match fall {
-        None => "Let go",
-        Some(fall) if fall.runs() => "Pause",
-        Some(fall) if fall.has_ended(settings.view.radius) => "Fall again",
-        Some(_) => "Go on",
-    };
-    let back = fall
-        .map(Fall::start)
-        .map(|start| format!("Back to r = {}", title::radius(start.radius)));
     let mut panel = json!({
         "values": values,
         "radius": title::radius(settings.view.radius),
@@ -44,8 +33,8 @@ pub fn json(settings: &Settings, info: Option<&PanelInfo>) -> Value {
         "region": region(settings.view.radius),
         "motions": motions,
         "heads": matches!(settings.view.motion, Motion::Orbit | Motion::Velocity { .. }),
-        "letGo": let_go,
-        "back": back,
+        "letGo": let_go_name(settings),
+        "back": way_back_name(settings),
         "facts": facts(settings),
         "moves": settings.moves(),
     });

@@ -161,7 +161,8 @@ impl Renderer {
         }
     }
 
-    /// Draws the picture of a scene; without its stars if [`Renderer::draws_stars`] says so. `band_done` is called with the number of rows drawn so far.
+    /// Draws the picture of a scene, without its stars if the device cannot draw them ([`Renderer::draws_stars`]).
+    /// `band_done` is called with the number of rows drawn so far.
     ///
     /// # Errors
     /// [`GpuError::Failed`] if the device fails, [`GpuError::TooManyStars`] if the star lists do not hold all

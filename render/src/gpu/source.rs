@@ -124,8 +124,8 @@ const ROW_COORDINATE: &str = "row_coordinate";
 const DEFLECT: &str = "deflect";
 
 impl PipelineKey {
-    /// The key of a pipeline that computes `output` by `deflection`, in a compute pass. `stars` is ignored unless `output` is a
-    /// picture, `shift` if it is a trace.
+    /// The key of a pipeline that computes `output` by `deflection`, in a compute pass. `stars` is ignored unless
+    /// `output` is a picture, `shift` if it is a trace.
     pub fn new(
         deflection: Deflection,
         output: Output,

@@ -1,4 +1,4 @@
-// Pixel `id` of the region as it is kept: the sky, and the stars in front of it.
+// Returns the value to store for pixel `id` of the region: the sky, and the stars in front of it.
 // #import region
 // #import star_light
 // #import storable

@@ -3,7 +3,6 @@
 use keyboard_types::Code;
 use lensbake_interactive::input::{self, Button, Input, KeyChange, Reaction};
 use lensbake_interactive::settings::Settings;
-use lensbake_render::camera::View;
 use std::time::Duration;
 use winit::event::{ElementState, KeyEvent, MouseButton, MouseScrollDelta, WindowEvent};
 use winit::keyboard::{KeyCode, ModifiersState, PhysicalKey};
@@ -16,6 +15,12 @@ const PIXELS_A_NOTCH: f64 = 50.0;
 pub struct WindowInput {
     input: Input,
     modifiers: ModifiersState,
+}
+
+impl AsMut<Input> for WindowInput {
+    fn as_mut(&mut self) -> &mut Input {
+        &mut self.input
+    }
 }
 
 impl WindowInput {
@@ -63,11 +68,6 @@ impl WindowInput {
             }
             _ => Reaction::None,
         }
-    }
-
-    /// Moves the view by the keys that were held since the last call; true if one still is.
-    pub fn steer(&mut self, view: &mut View, now: Duration) -> bool {
-        self.input.steer(view, now)
     }
 
     fn key(&mut self, key: &KeyEvent, settings: &mut Settings, now: Duration) -> Reaction {

@@ -3,10 +3,9 @@
 use super::typed::typed;
 use egui::{Label, Rect, Response, RichText, Slider, Stroke, Ui, lerp};
 use lensbake_core::{Motion, R_PHOTON};
-use lensbake_interactive::fall::Fall;
 use lensbake_interactive::motion::{CLOCK_RATES, ORBIT_SPEEDS, radii};
 use lensbake_interactive::motion_choice::{name, problem};
-use lensbake_interactive::motion_facts::{facts, region};
+use lensbake_interactive::motion_facts::{facts, let_go_name, region, way_back_name};
 use lensbake_interactive::panel_info::PanelInfo;
 use lensbake_interactive::settings::Settings;
 use lensbake_interactive::title;
@@ -123,20 +122,16 @@ fn narrow(ui: &mut Ui) {
 
 /// Adds the buttons of the fall by proper time.
 fn fall(ui: &mut Ui, settings: &mut Settings) {
-    let does = match settings.falling() {
-        None => "Let go (G)",
-        Some(fall) if fall.runs() => "Pause (G)",
-        Some(fall) if fall.has_ended(settings.view.radius) => "Fall again (G)",
-        Some(_) => "Go on (G)",
-    };
-    if ui.button(does).clicked() {
+    if ui
+        .button(format!("{} (G)", let_go_name(settings)))
+        .clicked()
+    {
         settings.let_go();
     }
-    if let Some(start) = settings.falling().map(Fall::start) {
-        let back = format!("Back to r = {} (T)", title::radius(start.radius));
-        if ui.button(back).clicked() {
-            settings.back_to_let_go();
-        }
+    if let Some(back) = way_back_name(settings)
+        && ui.button(format!("{back} (T)")).clicked()
+    {
+        settings.back_to_let_go();
     }
 }
 

@@ -265,7 +265,7 @@ impl OpenWindow {
             return Ok(());
         };
         self.update_title();
-        let facts = self.session.info(&plan, self.pace.interval());
+        let facts = self.session.info(&plan);
         let drawn = self.session.state.settings.clone();
         let size = [plan.window.width, plan.window.height];
         let settings = &mut self.session.state.settings;
@@ -323,11 +323,10 @@ impl OpenWindow {
 
     /// Moves the camera by the time since the last frame; true if something keeps moving.
     fn advance(&mut self, now: Instant) -> bool {
-        let settings = &mut self.session.state.settings;
-        let held = self.input.steer(&mut settings.view, now - self.opened);
-        let moving = held || settings.moves();
-        let since = self.pace.begin(now, moving);
-        if let Some(said) = settings.advance(since.as_secs_f64()) {
+        self.pace.begin();
+        let input = self.input.as_mut();
+        let (moving, said) = self.session.advance(input, now - self.opened);
+        if let Some(said) = said {
             self.panel.say(said);
         }
         moving

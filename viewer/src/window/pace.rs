@@ -1,6 +1,5 @@
-//! Frame pacing: when the next frame is due, and how much time passed between frames.
+//! Frame pacing: when the next frame is due.
 
-use lensbake_interactive::meter::Meter;
 use std::time::{Duration, Instant};
 use winit::window::Window;
 
@@ -40,26 +39,16 @@ impl AfterFrame {
     }
 }
 
-/// Times of the frames.
+/// When the next frame is due.
 #[derive(Debug, Default)]
 pub struct Pace {
-    last: Option<Instant>,
     next: Option<Instant>,
-    intervals: Meter,
 }
 
 impl Pace {
-    /// Begins a frame at `now`, in which something moves if `moving`. Returns the time since the last frame if
-    /// something moved in that one, else zero.
-    pub fn begin(&mut self, now: Instant, moving: bool) -> Duration {
-        let since = self.last.map(|last| now - last);
-        match since {
-            Some(since) => self.intervals.add(since),
-            None => self.intervals.clear(),
-        }
-        self.last = moving.then_some(now);
+    /// Begins a frame: none is due until it has ended.
+    pub fn begin(&mut self) {
         self.next = None;
-        since.unwrap_or_default()
     }
 
     /// Schedules the frame after the one that began at `began`.
@@ -72,11 +61,6 @@ impl Pace {
     /// When the next frame is due, if one is.
     pub fn next(&self) -> Option<Instant> {
         self.next
-    }
-
-    /// The mean time between frames while something moves.
-    pub fn interval(&self) -> Option<Duration> {
-        self.intervals.mean()
     }
 }
 
@@ -99,18 +83,5 @@ mod tests {
         assert_eq!(AfterFrame::Awaiting(Duration::MAX).wait(), Some(RETRY));
         assert_eq!(AfterFrame::Moving.wait(), Some(Duration::ZERO));
         assert_eq!(AfterFrame::NotShown.wait(), Some(RETRY));
-    }
-
-    #[test]
-    fn a_movement_counts_from_its_first_frame() {
-        let start = Instant::now();
-        let at = |ms| start + Duration::from_millis(ms);
-        let mut pace = Pace::default();
-        assert_eq!(pace.begin(at(0), true), Duration::ZERO);
-        assert_eq!(pace.begin(at(20), true), Duration::from_millis(20));
-        assert_eq!(pace.begin(at(30), false), Duration::from_millis(10));
-        assert_eq!(pace.interval(), Some(Duration::from_millis(15)));
-        assert_eq!(pace.begin(at(900), true), Duration::ZERO);
-        assert_eq!(pace.interval(), None);
     }
 }

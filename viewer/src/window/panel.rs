@@ -128,7 +128,7 @@ impl Paint<'_> {
         }
     }
 
-    /// Frees textures that are no longer needed. To be called whether or not the frame was drawn.
+    /// Frees textures that are no longer needed. Call this whether or not the frame was drawn.
     pub fn finish(&mut self) {
         for id in &self.textures.free {
             self.renderer.free_texture(id);

@@ -59,7 +59,7 @@ impl Viewer {
     pub fn pointer_pressed(&mut self, orbits: bool) {
         let button = if orbits { Button::Orbit } else { Button::Look };
         self.input
-            .press(button, &self.session.state.settings, self.width);
+            .press(button, &self.session.state.settings, self.width());
     }
 
     /// The pointer is released.
@@ -71,8 +71,9 @@ impl Viewer {
     /// The pointer moves to a place in pixels; true if that changed something.
     #[wasm_bindgen(js_name = pointerMoved)]
     pub fn pointer_moved(&mut self, x: f64, y: f64) -> bool {
+        let width = self.width();
         let settings = &mut self.session.state.settings;
-        self.input.moved([x, y], settings, self.width) != Reaction::None
+        self.input.moved([x, y], settings, width) != Reaction::None
     }
 
     /// The wheel turns by notches; with `zooms` it changes the field of view.
@@ -83,5 +84,12 @@ impl Viewer {
     /// Two touches go apart by this factor.
     pub fn pinch(&mut self, apart: f64) {
         input::pinch(&mut self.session.state.settings.view, apart);
+    }
+}
+
+impl Viewer {
+    /// Width of the canvas, pixels.
+    fn width(&self) -> f64 {
+        f64::from(self.session.stage.size()[0])
     }
 }

@@ -9,7 +9,6 @@ pub use sky_and_stars::SkyWriter;
 
 use crate::sky_texels::{built_in, make_sky};
 use lensbake_interactive::input::Input;
-use lensbake_interactive::meter::Meter;
 use lensbake_interactive::plan::Plan;
 use lensbake_interactive::resolution::Resolution;
 use lensbake_interactive::session::Session;
@@ -28,10 +27,9 @@ use wasm_bindgen_futures::spawn_local;
 use web_sys::HtmlCanvasElement;
 use wgpu::{Backends, SurfaceTarget};
 
-/// Texels along the edge of a face of the sky of the first picture, which is made before the page waits for the whole
-/// sky.
+/// Texels along the edge of a face of the coarse sky that the first picture shows while a worker makes the whole sky.
 const FIRST_SKY_TEXELS: u32 = 192;
-/// Time after the last change from which on the automatic resolution is the canvas' own.
+/// Time without changes after which the automatic resolution draws at the full resolution of the canvas.
 const AT_REST: Duration = Duration::from_millis(250);
 /// Longest time between frames that says something about the GPU; a longer one is that of a page that was stopped.
 const LONGEST_FRAME: Duration = Duration::from_secs(5);
@@ -58,17 +56,12 @@ pub enum FrameState {
 pub struct Viewer {
     session: Session,
     input: Input,
-    start: Settings,
     messages: Vec<String>,
     /// The built-in skies that are to be made.
     wanted_skies: Vec<String>,
-    width: f64,
     drawn: Option<Plan>,
-    /// When the last frame began in which something moved.
-    last: Option<Duration>,
     last_drawn: Option<Duration>,
     changed: Duration,
-    intervals: Meter,
 }
 
 impl Drop for Viewer {
@@ -115,7 +108,7 @@ impl Viewer {
             ..Settings::new(View::default(), Deflection::DEFAULT_STEP)
         };
         let table = NamedTable::new(default_atlas().clone(), ATLAS);
-        let state = State::new(settings.clone(), table).map_err(error)?;
+        let state = State::new(settings, table).map_err(error)?;
         let target = SurfaceTarget::Canvas(canvas);
         let (gpu, surface) = Gpu::open_for_backends(target, backends)
             .await
@@ -138,14 +131,10 @@ impl Viewer {
             wanted_skies: Vec::from_iter(Some(sky).filter(|_| texels.face_texels() > 1)),
             session: Session::new(state, stage, source, on_device),
             input: Input::default(),
-            start: settings,
             messages: Vec::new(),
-            width: f64::from(width.max(1)),
             drawn: None,
-            last: None,
             last_drawn: None,
             changed: Duration::ZERO,
-            intervals: Meter::default(),
         })
     }
 
@@ -184,8 +173,10 @@ impl Viewer {
         height: u32,
     ) -> Result<FrameState, JsError> {
         let now = seconds(now);
-        self.width = f64::from(width.max(1));
-        let moving = self.advance(now);
+        let (moving, said) = self.session.advance(&mut self.input, now);
+        if let Some(said) = said {
+            self.say(said);
+        }
         if moving {
             self.changed = now;
         }
@@ -222,24 +213,6 @@ impl Viewer {
         })
     }
 
-    /// Moves the camera by the time since the last frame; true if something keeps moving.
-    fn advance(&mut self, now: Duration) -> bool {
-        let settings = &mut self.session.state.settings;
-        let held = self.input.steer(&mut settings.view, now);
-        let moving = held || settings.moves();
-        let since = self.last.map(|last| now.saturating_sub(last));
-        match since {
-            Some(since) => self.intervals.add(since),
-            None => self.intervals.clear(),
-        }
-        self.last = moving.then_some(now);
-        let since = since.unwrap_or_default();
-        if let Some(said) = settings.advance(since.as_secs_f64()) {
-            self.say(said);
-        }
-        moving
-    }
-
     /// Adjusts the automatic resolution: to the GPU's times, or without them to the time since the last frame, or since this
     /// one was requested if that was later. A browser starts a frame late while the GPU has not finished the last one.
     fn learn(&mut self, now: Duration, requested: Duration) {
@@ -262,7 +235,7 @@ impl Viewer {
     /// Forgets the time of the last frame, after a pause in which no frames were drawn, and releases the keys.
     pub fn pause(&mut self, now: f64) {
         self.input.release_all(seconds(now));
-        self.last = None;
+        self.session.pause();
         self.last_drawn = None;
     }
 

@@ -3,6 +3,7 @@
 use super::{Viewer, error};
 use crate::panel;
 use crate::sky_texels::built_in;
+use lensbake_interactive::panel_info::PanelInfo;
 use lensbake_interactive::parameters::{ParameterError, switch, switch_name};
 use lensbake_render::sky::SkySource;
 use wasm_bindgen::prelude::*;
@@ -60,7 +61,7 @@ impl Viewer {
     #[wasm_bindgen(js_name = changedSettings)]
     pub fn changed_settings(&self) -> Vec<String> {
         let settings = &self.session.state.settings;
-        let changed = settings.changed_parameters(&self.start);
+        let changed = settings.changed_parameters(self.session.state.start());
         let mut all: Vec<String> = changed
             .into_iter()
             .flat_map(|(name, text)| [name.to_owned(), text])
@@ -79,8 +80,11 @@ impl Viewer {
     /// What the panel shows, as JSON.
     pub fn panel(&self) -> String {
         let info = self.drawn.as_ref().map(|plan| {
-            let interval = self.intervals.mean().filter(|_| self.last.is_some());
-            self.session.info(plan, interval)
+            let info = self.session.info(plan);
+            PanelInfo {
+                interval: info.interval.filter(|_| self.session.moves()),
+                ..info
+            }
         });
         panel::json(&self.session.state.settings, info.as_ref()).to_string()
     }
@@ -92,7 +96,7 @@ impl Viewer {
         }
     }
 
-    /// Lets go, pauses the fall, goes on, or falls again.
+    /// Starts the free fall; pauses it, resumes it, or at its end restarts it.
     #[wasm_bindgen(js_name = letGo)]
     pub fn let_go(&mut self) {
         self.session.state.settings.let_go();
