@@ -71,6 +71,12 @@ function keyboard(target, view, on) {
     on(target, 'keydown', pressed);
     on(target, 'keyup', released);
     on(target, 'focusout', left);
+    // Nothing loses the focus where the body had it.
+    on(target, 'focusin', (event) => {
+        if (event.target.closest(TYPING) !== null) {
+            left();
+        }
+    });
     on(window, 'blur', left);
 }
 

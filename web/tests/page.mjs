@@ -13,6 +13,9 @@ const TYPES = {
     '.jpg': 'image/jpeg',
 };
 
+/** Longest wait for one thing: a busy machine draws slowly in software. */
+export const PATIENCE_MS = Number(process.env.PATIENCE_MS ?? 120000);
+
 /**
  * Serves a folder below the path /some/folder/ of an unused port, compressed with gzip. `sent` gets the bytes of each
  * answer by the name of its file. `refuse(name)` may name files that are not there.
@@ -56,7 +59,7 @@ export async function servePage(folder, refuse = () => false) {
 export async function openPage(browser, server, query, errors, context = {}) {
     const { script, ...more } = context;
     const page = await browser.newPage({ viewport: { width: 960, height: 540 }, deviceScaleFactor: 1, ...more });
-    page.setDefaultTimeout(Number(process.env.PATIENCE_MS ?? 120000)); // a busy machine draws slowly in software
+    page.setDefaultTimeout(PATIENCE_MS);
     page.on('pageerror', (error) => errors.push(String(error.stack ?? error)));
     page.on('console', (message) => {
         if (message.type() === 'error') {
@@ -81,13 +84,17 @@ export const ready = (page) => page.waitForFunction(() => window.lensbake !== un
 /** Waits until the whole sky is there and nothing moves: no frame is drawn for half a second. */
 export async function settled(page) {
     await page.waitForFunction(() => window.lensbake.complete);
-    await page.evaluate(async () => {
+    await page.evaluate(async (patience) => {
+        const end = performance.now() + patience;
         let before = -1;
         while (before !== window.lensbake.frames) {
+            if (performance.now() > end) {
+                throw new Error('the view does not come to rest');
+            }
             before = window.lensbake.frames;
             await new Promise((done) => setTimeout(done, 600));
         }
-    });
+    }, PATIENCE_MS);
 }
 
 /** The bytes of the picture that the view reads back, as PNG. */

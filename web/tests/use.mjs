@@ -6,7 +6,7 @@
 import assert from 'node:assert/strict';
 import { resolve } from 'node:path';
 import { difference, pixels, startOnScreen } from './browser.mjs';
-import { openPage, readBack, ready, servePage, settled } from './page.mjs';
+import { PATIENCE_MS, openPage, readBack, ready, servePage, settled } from './page.mjs';
 
 const [dist, panorama, bad, ...only] = process.argv.slice(2);
 if (!bad) {
@@ -469,6 +469,19 @@ const checks = {
     },
 };
 
+/** Ends a check that waits for something without a limit of its own. */
+async function withinLimit(check) {
+    let timer;
+    const late = new Promise((_, reject) => {
+        timer = setTimeout(() => reject(new Error(`not done in ${(3 * PATIENCE_MS) / 1000} s`)), 3 * PATIENCE_MS);
+    });
+    try {
+        return await Promise.race([check(), late]);
+    } finally {
+        clearTimeout(timer);
+    }
+}
+
 const passed = [];
 const failed = [];
 try {
@@ -477,14 +490,16 @@ try {
             continue;
         }
         errors.length = 0;
+        const began = performance.now();
         try {
-            const page = await check();
+            const page = await withinLimit(check);
             await page.context().close();
             assert.deepEqual(errors, [], 'errors in the page');
             passed.push(name);
         } catch (error) {
             failed.push(`${name}: ${error.stack}\n${errors.join('\n')}`);
         }
+        console.error(`${name}: ${((performance.now() - began) / 1000).toFixed(1)} s`);
     }
 } finally {
     await browser.close();
