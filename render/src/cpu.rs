@@ -1,6 +1,6 @@
 //! The CPU renderer in f64, parallel over rows of pixels: the reference for the GPU renderer.
 
-use crate::camera::Camera;
+use crate::camera::{Camera, Mapping};
 use crate::filter::FilteredPixels;
 use crate::lens::Lens;
 use crate::picture::Picture;
@@ -40,10 +40,19 @@ pub fn render(scene: &Scene, row_done: impl Fn() + Sync) -> Picture {
         }
     });
     let mut picture = Picture::new(camera.width, camera.height, pixels);
-    if let Some(field) = &scene.stars {
-        stars::draw(&mut picture, lens, field, scene.rendition);
-    }
+    finish(&mut picture, scene);
     picture
+}
+
+/// Adds the stars of `scene` to the picture of its sky, and blackens what is outside the disc of a fisheye.
+pub(crate) fn finish(picture: &mut Picture, scene: &Scene) {
+    let camera = &scene.lens.camera;
+    if let Some(field) = &scene.stars {
+        stars::draw(picture, &scene.lens, field, scene.rendition);
+    }
+    if camera.mapping == Mapping::Equidistant {
+        picture.cover(|column, row| camera.coverage(column, row) as f32);
+    }
 }
 
 /// The light of the single ray with the unit view `direction`, in the hole frame.
@@ -69,18 +78,23 @@ pub fn trace(lens: &Lens, row_done: impl Fn() + Sync) -> Vec<RayOutcome<DVec3>> 
 }
 
 /// Calls `f` with the (column, row) of every pixel, rows in parallel. Returns the results row-major,
-/// `[height][width]`. `row_done` is called after each row of pixels.
+/// `[height][width]`. `row_done` is called once for each row of pixels.
 pub fn by_pixel<T: Send>(
     camera: &Camera,
     row_done: impl Fn() + Sync,
     f: impl Fn(u32, u32) -> T + Sync,
 ) -> Vec<T> {
-    (0..camera.height)
+    let width = camera.width as usize;
+    // Of known length, so that the results of a large picture are in memory once.
+    (0..camera.pixels())
         .into_par_iter()
-        .flat_map(|row| {
-            let pixels: Vec<T> = (0..camera.width).map(|column| f(column, row)).collect();
-            row_done();
-            pixels
+        .with_min_len(width)
+        .map(|index| {
+            let (column, row) = ((index % width) as u32, (index / width) as u32);
+            if column == 0 {
+                row_done();
+            }
+            f(column, row)
         })
         .collect()
 }

@@ -13,6 +13,7 @@ use crate::shift::Rendition;
 use crate::sky::Sky;
 use glam::{DVec2, DVec3, Vec3, Vec4};
 use lensbake_core::RayOutcome;
+use rayon::prelude::*;
 
 /// Rays per side of a pixel near the shadow's edge.
 pub(crate) const SUB_RAYS: u32 = 3;
@@ -90,6 +91,16 @@ impl<'a> FilteredPixels<'a> {
             Kind::Edge => SUB_RAYS * SUB_RAYS - 1,
             Kind::Shadow | Kind::Sky => 0,
         }
+    }
+
+    /// Number of rays of all pixels of the picture beyond one per pixel.
+    pub fn extra_rays_in_all(&self) -> u64 {
+        let camera = &self.lens.camera;
+        let of_row = |row| -> u64 {
+            let pixels = (0..camera.width).map(|column| u64::from(self.extra_rays(column, row)));
+            pixels.sum()
+        };
+        (0..camera.height).into_par_iter().map(of_row).sum()
     }
 
     /// The tile class that pixel (column, row) alone needs, with a sky of `face_texels`.

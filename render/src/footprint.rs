@@ -91,18 +91,18 @@ impl Patch {
     /// The patch of the picture of `camera` with sides of `side` pixels around `at`, in pixels from the centre of the
     /// picture, as [`Camera::observer`] sees it.
     pub fn seen_by(camera: &Camera, at: DVec2, side: f64) -> Self {
-        let (ray, right, down) = (camera.ray(at), camera.right * side, camera.down * side);
+        let ray = camera.view_ray(at);
         let Some(boost) = camera.boost else {
-            return Patch::new(ray, right, down);
+            return Patch::new(ray.direction, ray.right * side, ray.down * side);
         };
-        let length = ray.length();
-        let direction = ray / length;
+        let length = ray.direction.length();
+        let direction = ray.direction / length;
         let step = |step: DVec3| {
-            let across = (step - direction * step.dot(direction)) / length;
+            let across = (step - direction * step.dot(direction)) * (side / length);
             DVec3::from(boost.unboosted_step(direction.to_array(), across.to_array()))
         };
         let (row_direction, _) = camera.unboosted(direction);
-        Patch::new(row_direction, step(right), step(down))
+        Patch::new(row_direction, step(ray.right), step(ray.down))
     }
 
     /// |dθ| across the patch along the gradient of θ, rad.

@@ -4,6 +4,7 @@ use crate::tone_map::tone_map;
 use image::codecs::openexr::OpenExrEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError, ImageFormat};
+use rayon::prelude::*;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -137,12 +138,23 @@ impl Picture {
         }
     }
 
+    /// Multiplies each pixel by `share(column, row)`.
+    pub fn cover(&mut self, share: impl Fn(u32, u32) -> f32 + Sync) {
+        let width = self.width as usize;
+        let rows = self.pixels.par_chunks_mut(width).zip(0..self.height);
+        rows.for_each(|(pixels, row)| {
+            for (column, pixel) in (0..).zip(pixels) {
+                *pixel = pixel.map(|channel| channel * share(column, row));
+            }
+        });
+    }
+
     /// The pixels as a screen shows them: tone mapped at an `exposure` in stops, sRGB, 8 bits per channel.
     pub fn srgb(&self, exposure: f32) -> Vec<[u8; 3]> {
         let shown = |&pixel: &[f32; 3]| tone_map(pixel.into(), exposure).to_array();
         let eight_bits = |linear: f32| (255.0 * srgb_from_linear(linear) + 0.5) as u8;
         self.pixels
-            .iter()
+            .par_iter()
             .map(|pixel| shown(pixel).map(eight_bits))
             .collect()
     }

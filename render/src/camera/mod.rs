@@ -8,9 +8,11 @@
 //! any other motion is a boost relative to that observer, and view directions are mapped by the aberration first
 //! ([`Camera::unboosted`]).
 
+mod projection;
 mod view;
 mod view_angle;
 
+pub use projection::{CubeFace, Mapping, Projection, ViewRay};
 pub use view::{CameraError, MAX_FALL_ROW_RADIUS, MAX_RADIUS, MAX_SIDE, View};
 pub use view_angle::ViewAngle;
 
@@ -37,9 +39,12 @@ pub struct Camera {
     pub width: u32,
     /// Height, pixels.
     pub height: u32,
-    /// Change of the view direction from one pixel to the next on its right, in the hole frame.
+    /// How view directions are mapped to the picture.
+    pub mapping: Mapping,
+    /// Change of the view direction in the centre of the picture from one pixel to the next on its right, in the hole
+    /// frame.
     pub right: DVec3,
-    /// Change of the view direction from one pixel to the next below, in the hole frame.
+    /// The same from one pixel to the next below.
     pub down: DVec3,
     /// View direction of the picture's centre in the hole frame, length 1.
     pub forward: DVec3,
@@ -70,9 +75,6 @@ impl Camera {
         if view.radius > MAX_RADIUS {
             return Err(CameraError::TooFar(view.radius));
         }
-        if !(view.fov_deg > 0.0 && view.fov_deg < 180.0) {
-            return Err(CameraError::FieldOfView(view.fov_deg));
-        }
         let (width, height) = (view.width, view.height);
         if !(1..=MAX_SIDE).contains(&width) || !(1..=MAX_SIDE).contains(&height) {
             return Err(CameraError::Size { width, height });
@@ -86,7 +88,8 @@ impl Camera {
         };
         let hole_from_camera = DMat3::from_rotation_y(-angle("yaw", view.yaw_deg)?)
             * DMat3::from_rotation_x(angle("pitch", view.pitch_deg)?)
-            * DMat3::from_rotation_z(-angle("roll", view.roll_deg)?);
+            * DMat3::from_rotation_z(-angle("roll", view.roll_deg)?)
+            * view.projection.turn()?;
         let sky_from_hole = DMat3::from_rotation_y(angle("orbit", view.orbit_deg)?)
             * DMat3::from_rotation_x(-angle("latitude", view.latitude_deg)?);
         let (north, east) = angle("heading", view.heading_deg)?.sin_cos();
@@ -97,12 +100,13 @@ impl Camera {
                 ..boost
             }
         });
-        let pixel = 2.0 * (0.5 * view.fov_deg.to_radians()).tan() / f64::from(width);
+        let pixel = view.projection.pixel(view)?;
         Ok(Camera {
             observer: *frame.observer(),
             boost,
             width,
             height,
+            mapping: view.projection.mapping(),
             right: hole_from_camera.x_axis * pixel,
             down: -hole_from_camera.y_axis * pixel,
             forward: -hole_from_camera.z_axis,
@@ -172,23 +176,12 @@ impl Camera {
 
     /// The view direction at `at`, in pixels from the centre of the picture; in the hole frame, not normalised.
     pub fn ray(&self, at: DVec2) -> DVec3 {
-        self.forward + self.right * at.x + self.down * at.y
+        self.view_ray(at).direction
     }
 
     /// The unit view direction of the centre of pixel (column, row), row 0 at the top, in the hole frame.
     pub fn direction(&self, column: u32, row: u32) -> DVec3 {
         self.ray(self.position(column, row)).normalize()
-    }
-
-    /// Projects `direction`, in the hole frame, to pixels from the picture's top left corner. The result may lie
-    /// outside the picture. `None` unless the direction points ahead of the camera.
-    pub fn project(&self, direction: DVec3) -> Option<DVec2> {
-        let ahead = direction.dot(self.forward);
-        let along = |step: DVec3, side: u32| {
-            direction.dot(step) / (ahead * step.length_squared()) + 0.5 * f64::from(side)
-        };
-        (ahead > 0.0)
-            .then(|| DVec2::new(along(self.right, self.width), along(self.down, self.height)))
     }
 
     /// The pixel (column, row) that contains `direction`, in the hole frame; `None` outside the picture.

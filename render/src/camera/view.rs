@@ -1,5 +1,6 @@
 //! A view as a user gives it.
 
+use super::Projection;
 use lensbake_core::{CoreError, Motion};
 use thiserror::Error;
 
@@ -18,6 +19,22 @@ pub enum CameraError {
     /// The field of view is not between 0° and 180°.
     #[error("field of view {0} is not between 0 and 180 degrees (both excluded)")]
     FieldOfView(f64),
+    /// The field of view of a disc is not above 0° and at most 360°.
+    #[error("field of view {0} is not above 0 and at most 360 degrees")]
+    DiscFieldOfView(f64),
+    /// The tilt of a dome is not from 0° to 90°.
+    #[error("tilt {0} is not from 0 to 90 degrees")]
+    Tilt(f64),
+    /// The projection has no picture of this shape.
+    #[error("picture size {width}x{height}: {what}")]
+    Shape {
+        /// The shape of its pictures.
+        what: &'static str,
+        /// The given width, pixels.
+        width: u32,
+        /// The given height, pixels.
+        height: u32,
+    },
     /// An angle is not finite.
     #[error("{what} {degrees} is not an angle in degrees")]
     Angle {
@@ -63,6 +80,8 @@ pub struct View {
     pub pitch_deg: f64,
     /// Clockwise roll of the camera.
     pub roll_deg: f64,
+    /// What the picture shows of all directions.
+    pub projection: Projection,
     /// Horizontal field of view.
     pub fov_deg: f64,
     /// Width of the picture, pixels.
@@ -83,6 +102,7 @@ impl Default for View {
             yaw_deg: 0.0,
             pitch_deg: 0.0,
             roll_deg: 0.0,
+            projection: Projection::Perspective,
             fov_deg: 90.0,
             width: 1920,
             height: 1080,

@@ -3,6 +3,7 @@
 mod backend;
 mod bindings;
 mod camera_block;
+mod camera_key;
 mod compute;
 mod compute_pass;
 mod device;
@@ -31,6 +32,7 @@ mod tile_queues;
 mod timestamps;
 
 pub use camera_block::{CameraBlock, UNIFORM_BYTES};
+pub use camera_key::CameraKey;
 pub use device::{Gpu, GpuError};
 pub use pass::Pass;
 pub use passes::Passes;
@@ -41,7 +43,7 @@ pub use region::Region;
 pub use renderer::{Renderer, Trace};
 pub use row_texture::row_texture_format;
 pub use sky::{SkyOnDevice, SkyUpload};
-pub use source::{MotionKey, Output, PipelineKey, Store};
+pub use source::{Output, PipelineKey, Store};
 pub use stars::{StarLight, StarsOnDevice};
 pub use stopwatch::{Lap, Stopwatch, Timed};
 pub use texture::texture;

@@ -30,7 +30,8 @@ impl Prepared {
     pub(super) fn picture(renderer: &Renderer, scene: &ResidentScene) -> Self {
         let lens = &scene.lens;
         let output = Output::Picture(scene.sampling);
-        let stars = scene.stars.as_ref().filter(|_| renderer.draws_stars());
+        let stars = scene.stars.as_ref();
+        let stars = stars.filter(|_| renderer.draws_stars_through(lens));
         let shift = scene.rendition.shift;
         let key = PipelineKey::of(lens, output, Store::Buffer, stars.is_some(), shift);
         let mut prepared = Prepared {

@@ -1,10 +1,11 @@
 //! The realtime renderer: draws frames one after the other, for a window or a benchmark. A frame uploads what has
 //! changed and dispatches what the picture needs.
 
+use super::camera_key::CameraKey;
 use super::frame_resources::FrameResources;
 use super::pipelines::Program;
 use super::region::dispatch_pixels;
-use super::source::{MotionKey, Output, PipelineKey, Store};
+use super::source::{Output, PipelineKey, Store};
 use super::target::Target;
 use super::timestamps::PassTimestamps;
 use super::{Passes, Region, Renderer, ResidentScene, SkyOnDevice, StarLight};
@@ -128,7 +129,7 @@ impl RealtimeRenderer {
             }
         };
         let stars = scene.stars.as_ref();
-        let stars = stars.filter(|_| self.renderer.draws_stars());
+        let stars = stars.filter(|_| self.renderer.draws_stars_through(lens));
         let mut regions = Vec::new();
         self.programs.clear();
         for (kind, part) in parts.into_iter().filter(|(_, part)| part.count[0] > 0) {
@@ -136,7 +137,7 @@ impl RealtimeRenderer {
                 DrawKind::Picture(deflection) => (deflection, Output::Picture(scene.sampling)),
                 DrawKind::Difference => (direct, Output::Difference),
             };
-            let (row, motion) = (lens.row.shape(), MotionKey::of(&lens.camera));
+            let (row, motion) = (lens.row.shape(), CameraKey::of(&lens.camera));
             let key = PipelineKey::new(
                 deflection,
                 output,

@@ -5,6 +5,8 @@ use super::pipelines::{Pipelines, Program};
 use super::source::PipelineKey;
 use super::stars::StarsOnDevice;
 use super::{Gpu, GpuError, Passes, Prepared, Region, ResidentScene, SkyOnDevice, SkyUpload};
+use crate::camera::Mapping;
+use crate::cpu;
 use crate::lens::Lens;
 use crate::picture::Picture;
 use crate::scene::Scene;
@@ -129,7 +131,9 @@ impl Renderer {
                 sky
             }
         };
-        let stars = scene.stars.as_ref().map(|field| self.stars_of(field));
+        let stars = scene.stars.as_ref();
+        let stars = stars.filter(|_| self.draws_stars_through(&scene.lens));
+        let stars = stars.map(|field| self.stars_of(field));
         Ok(Scene {
             lens: scene.lens.clone(),
             sampling: scene.sampling,
@@ -161,7 +165,14 @@ impl Renderer {
         }
     }
 
-    /// Draws the picture of a scene, without its stars if the device cannot draw them ([`Renderer::draws_stars`]).
+    /// Whether it draws the stars of a scene through this lens. Only those of a picture in perspective are drawn on the
+    /// device.
+    pub(super) fn draws_stars_through(&self, lens: &Lens) -> bool {
+        self.draws_stars() && lens.camera.mapping == Mapping::Perspective
+    }
+
+    /// Draws the picture of a scene, without its stars if the device cannot draw them ([`Renderer::draws_stars`]). The
+    /// stars of a picture that is not in perspective are added on the CPU.
     /// `band_done` is called with the number of rows drawn so far.
     ///
     /// # Errors
@@ -179,11 +190,15 @@ impl Renderer {
             band_done(band.first[1] + band.count[1]);
         })
         .await?;
-        Ok(Picture::new(camera.width, camera.height, light))
+        let mut picture = Picture::new(camera.width, camera.height, light);
+        if camera.mapping != Mapping::Perspective {
+            cpu::finish(&mut picture, scene);
+        }
+        Ok(picture)
     }
 
     /// Draws a scene and calls `take` with each of its bands, from the top down, and with the band's pixels: for
-    /// pictures too large to be kept.
+    /// pictures too large to be kept. One that is not in perspective has no stars, and a fisheye no rim.
     ///
     /// # Errors
     /// As [`Renderer::picture`]; [`GpuError::TooManyStars`] comes before the first band is taken.

@@ -1,8 +1,8 @@
 //! The key of a pipeline, and its WGSL source.
 
+use super::camera_key::CameraKey;
 use super::pass::Pass;
 use super::stars;
-use crate::camera::Camera;
 use crate::lens::{Deflection, Lens};
 use crate::scene::Sampling;
 use crate::shaders::Modules;
@@ -39,55 +39,6 @@ enum DeflectionKey {
     Flat,
 }
 
-/// What a shader is specialised for in the camera's motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub struct MotionKey {
-    /// Whether the observer of the row moves.
-    radial: bool,
-    /// Whether the camera has a boost relative to that observer.
-    boosted: bool,
-}
-
-impl MotionKey {
-    /// A camera at rest.
-    pub const AT_REST: MotionKey = MotionKey {
-        radial: false,
-        boosted: false,
-    };
-    /// A camera with a boost relative to an observer at rest.
-    pub const BOOSTED: MotionKey = MotionKey {
-        radial: false,
-        boosted: true,
-    };
-
-    /// The key of a camera's motion.
-    pub fn of(camera: &Camera) -> Self {
-        MotionKey {
-            radial: !camera.observer.is_at_rest(),
-            boosted: camera.boost.is_some(),
-        }
-    }
-
-    /// The key for the images of stars, in which a radial motion is part of the inverse row.
-    pub(super) fn of_stars(self) -> Self {
-        MotionKey {
-            radial: false,
-            ..self
-        }
-    }
-
-    /// The modules that it selects, by the names that other modules import.
-    pub(super) fn define(self, modules: &mut Modules) {
-        let either = |is: bool, yes: &str, no: &str| alias_module(if is { yes } else { no });
-        modules.define("view", either(self.boosted, "view_boosted", "view_rest"));
-        modules.define(
-            "observe",
-            either(self.boosted, "observe_boosted", "observe_rest"),
-        );
-        modules.define("start", either(self.radial, "start_moving", "start_rest"));
-    }
-}
-
 /// Defines the module `shift`.
 pub(super) fn define_shift(modules: &mut Modules, shift: Shift) {
     let module = match shift {
@@ -112,8 +63,8 @@ pub struct PipelineKey {
     pub row: RowShape,
     /// Whether it draws stars in front of the sky.
     pub stars: bool,
-    /// How the camera moves.
-    motion: MotionKey,
+    /// The camera's motion and the projection.
+    camera: CameraKey,
     /// What of the frequency shift is shown.
     shift: Shift,
 }
@@ -132,7 +83,7 @@ impl PipelineKey {
         store: Store,
         row: RowShape,
         stars: bool,
-        motion: MotionKey,
+        camera: CameraKey,
         shift: Shift,
     ) -> Self {
         let integrates =
@@ -151,9 +102,10 @@ impl PipelineKey {
             row,
             stars: stars && matches!(output, Output::Picture(_)),
             // Only direct integration starts differently for a radial motion; for the table it is in the row.
-            motion: MotionKey {
-                radial: motion.radial && integrates,
-                ..motion
+            camera: if integrates {
+                camera
+            } else {
+                camera.without_radial_motion()
             },
             shift: match output {
                 Output::Trace => Shift::Off,
@@ -164,8 +116,8 @@ impl PipelineKey {
 
     /// The key of a pipeline that computes `output` through `lens`.
     pub(super) fn of(lens: &Lens, output: Output, store: Store, stars: bool, shift: Shift) -> Self {
-        let (row, motion) = (lens.row.shape(), MotionKey::of(&lens.camera));
-        PipelineKey::new(lens.deflection, output, store, row, stars, motion, shift)
+        let (row, camera) = (lens.row.shape(), CameraKey::of(&lens.camera));
+        PipelineKey::new(lens.deflection, output, store, row, stars, camera, shift)
     }
 
     /// The same key in another kind of pass.
@@ -186,10 +138,7 @@ impl PipelineKey {
             },
             store: Store::Buffer,
             stars: false,
-            motion: MotionKey {
-                radial: false,
-                ..self.motion
-            },
+            camera: self.camera.without_radial_motion(),
             shift: Shift::Off,
             ..self
         })
@@ -295,7 +244,7 @@ impl PipelineKey {
         let mut modules = Modules::new();
         modules.define(ROW, self.row.wgsl(0, 2));
         modules.define(ROW_COORDINATE, alias_module(self.row.row_coordinate()));
-        self.motion.define(&mut modules);
+        self.camera.define(&mut modules);
         define_shift(&mut modules, self.shift);
         modules.define("step", format!("const STEP: f32 = {:?};\n", self.step()));
         modules.define(DEFLECT, self.deflect());

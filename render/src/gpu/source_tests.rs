@@ -1,6 +1,7 @@
 //! Every kind of shader is valid, and every fragment shader can be written in the GLSL of WebGL2.
 
 use super::*;
+use crate::camera::Mapping;
 use lensbake_tables::lookup::HorizonSide;
 use lensbake_tables::{ChannelRanges, Interpolation, RowFormat};
 use naga::back::glsl;
@@ -8,9 +9,13 @@ use naga::proc::BoundsCheckPolicies;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 /// At rest, in free fall, in orbit, below the horizon and boosted there, with every kind of shift.
-const OBSERVERS: [(HorizonSide, MotionKey, Shift); 5] = {
-    const fn motion(radial: bool, boosted: bool) -> MotionKey {
-        MotionKey { radial, boosted }
+const OBSERVERS: [(HorizonSide, CameraKey, Shift); 5] = {
+    const fn motion(radial: bool, boosted: bool) -> CameraKey {
+        CameraKey {
+            radial,
+            boosted,
+            mapping: Mapping::Perspective,
+        }
     }
     [
         (HorizonSide::Above, motion(false, false), Shift::Off),

@@ -80,7 +80,7 @@ impl fmt::Display for Cost {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::{MotionKey, Output, PipelineKey, Store};
+    use crate::gpu::{CameraKey, Output, PipelineKey, Store};
     use crate::shift::Shift;
     use lensbake_tables::ChannelRanges;
     use lensbake_tables::lookup::{HorizonSide, RowShape};
@@ -187,7 +187,7 @@ mod tests {
             Store::Buffer,
             row,
             false,
-            MotionKey::AT_REST,
+            CameraKey::AT_REST,
             Shift::Off,
         )
         .source();

@@ -1,7 +1,8 @@
 // The camera: the view direction of each pixel. gpu/camera_block.rs has the same struct. All vectors are in the
 // hole frame: the camera at the origin, the hole along −Z.
 struct Camera {
-    // Step of the view direction from one pixel to the next on the right, and 1/r of the observer.
+    // Step of the view direction in the picture's centre from one pixel to the next on the right, and 1/r of the
+    // observer.
     right: vec3<f32>,
     inverse_radius: f32,
     // The same from one pixel to the next below, and √(1 − 1/r).
@@ -40,9 +41,11 @@ fn from_middle(pixel: vec2<u32>) -> vec2<f32> {
     return vec2<f32>(pixel) + 0.5 - 0.5 * vec2<f32>(camera.size);
 }
 
-// The view ray at a point in pixels from the picture's centre, not normalised.
-fn view_ray(at: vec2<f32>) -> vec3<f32> {
-    return camera.forward + camera.right * at.x + camera.down * at.y;
+// The view ray at a point of the picture, not normalised, and its change from one pixel to the next on the right and below.
+struct ViewRay {
+    direction: vec3<f32>,
+    right: vec3<f32>,
+    down: vec3<f32>,
 }
 
 fn in_sky_frame(v: vec3<f32>) -> vec3<f32> {

@@ -4,6 +4,7 @@
 // #import arithmetic
 // #import deflect
 // #import footprint
+// #import ray
 // #import shadow
 // #import sky
 // #import view
@@ -30,10 +31,7 @@ fn class_of_tile(corner: vec2<f32>) -> u32 {
     let side = f32(TILE);
     let at = corner + 0.5 * side - 0.5 * vec2<f32>(camera.size);
     let half_diagonal = 0.70710678 * side;
-    // The angular width of a pixel is largest at the centre of the picture and decreases outwards.
-    let step = length(camera.right);
-    let nearest = step * max(length(at) - half_diagonal, 0.0);
-    let seen_px = step * inverseSqrt(nearest * nearest + 1.0);
+    let seen_px = largest_pixel(at, half_diagonal);
     // As the observer of the row sees them: at most this wide.
     let scale = largest_scale(at, half_diagonal * seen_px);
     let px = scale * seen_px;

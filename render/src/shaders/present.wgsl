@@ -3,6 +3,7 @@
 // #import camera
 // #import full_screen
 // #import patch
+// #import ray_perspective
 // #import shadow
 // #import srgb
 // #import tone_map
@@ -38,7 +39,8 @@ fn texel(at: vec2<i32>) -> vec4<f32> {
 // The part of a pixel of the window that sees the sky, from the distance of its centre from the shadow's edge in
 // pixels.
 fn reads_sky(pixel: vec2<u32>) -> f32 {
-    let seen = patch_of(view_ray(from_middle(pixel)), camera.right, camera.down);
+    let ray = view_ray(from_middle(pixel));
+    let seen = patch_of(ray.direction, ray.right, ray.down);
     let distance = shadow_distance(seen.c, seen.p, half_shadow());
     return clamp(0.5 + distance / max(gradient(seen), 1e-12), 0.0, 1.0);
 }

@@ -1,6 +1,7 @@
 // View directions and patches of a camera with a boost relative to the observer of the row, as that observer sees them:
 // the aberration, a conformal map. Boost of lensbake-core derives the formulae and is the reference in f64.
 // #import patch
+// #import ray
 // #import region
 
 // A unit direction in which the observer of the row sees light, and the factor by which the aberration scales small
@@ -46,24 +47,25 @@ fn view_direction(id: vec2<u32>) -> vec3<f32> {
 }
 
 fn direction_at(at: vec2<f32>) -> vec3<f32> {
-    return unboosted(view_ray(at)).d;
+    return unboosted(view_ray(at).direction).d;
 }
 
 fn patch_at(at: vec2<f32>, side: f32) -> Patch {
-    let v = view_ray(at);
+    let ray = view_ray(at);
+    let v = ray.direction;
     let inverse = inverseSqrt(dot(v, v));
     let n = v * inverse;
     let seen = unboosted(v);
     return patch_of(
         seen.d,
-        unboosted_step(camera.right * side, n, inverse, seen.scale),
-        unboosted_step(camera.down * side, n, inverse, seen.scale),
+        unboosted_step(ray.right * side, n, inverse, seen.scale),
+        unboosted_step(ray.down * side, n, inverse, seen.scale),
     );
 }
 
 fn largest_scale(at: vec2<f32>, reach: f32) -> f32 {
     // The scale decreases with the angle α from the motion, so its maximum is at α − reach.
-    let n = normalize(view_ray(at));
+    let n = normalize(view_ray(at).direction);
     let c = dot(n, camera.motion);
     let s = length(n - camera.motion * c);
     let nearest_sin = max(s * cos(reach) - c * sin(reach), 0.0);

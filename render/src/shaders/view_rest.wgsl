@@ -1,5 +1,6 @@
 // View directions and patches of a camera that is the observer of the row, at rest or in radial motion.
 // #import patch
+// #import ray
 // #import region
 
 // The unit view direction of the centre of pixel `id` of the region.
@@ -9,12 +10,13 @@ fn view_direction(id: vec2<u32>) -> vec3<f32> {
 
 // The unit view direction at `at`, in pixels from the picture's centre.
 fn direction_at(at: vec2<f32>) -> vec3<f32> {
-    return normalize(view_ray(at));
+    return normalize(view_ray(at).direction);
 }
 
 // The square patch with sides of `side` pixels, centred on `at`, in pixels from the picture's centre.
 fn patch_at(at: vec2<f32>, side: f32) -> Patch {
-    return patch_of(view_ray(at), camera.right * side, camera.down * side);
+    let ray = view_ray(at);
+    return patch_of(ray.direction, ray.right * side, ray.down * side);
 }
 
 // Upper bound on the scale of the aberration within `reach` (rad) of the view direction at `at`.

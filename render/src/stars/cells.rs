@@ -365,6 +365,7 @@ mod tests {
                 fov_deg,
                 width: 480,
                 height: 270,
+                ..View::default()
             };
             let camera = Camera::new(&view).unwrap();
             let lens = Lens::new(camera, default_atlas(), method).unwrap();

@@ -2,29 +2,24 @@
 
 use super::aligned::arcs;
 use super::images::{InverseLens, MAX_LIGHT, MIN_LIGHT};
-use super::kernel::{spread, weight};
+use super::kernel::spread;
+use super::splat::{Splat, add, add_curved};
 use super::{PointStar, StarField};
+use crate::camera::Mapping;
 use crate::lens::Lens;
 use crate::picture::Picture;
 use crate::shift::{Rendition, Shift};
-use glam::{DVec2, DVec3, Vec3};
+use glam::{DVec3, Vec3};
 use rayon::prelude::*;
-
-/// Light that falls on a point of the picture.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Splat {
-    /// Position in pixels from the picture's top left corner.
-    pub at: DVec2,
-    /// Half-width of its point-spread kernel, pixels.
-    pub reach: f64,
-    /// Its light, linear RGB.
-    pub light: Vec3,
-}
 
 /// Adds the stars of `field`, seen through `lens`, to `picture`.
 pub fn draw(picture: &mut Picture, lens: &Lens, field: &StarField, rendition: Rendition) {
+    let camera = &lens.camera;
     for splat in splats(lens, field, rendition) {
-        add(picture, &splat);
+        match camera.mapping {
+            Mapping::Perspective => add(picture, &splat),
+            Mapping::Equirectangular | Mapping::Equidistant => add_curved(picture, &splat, camera),
+        }
     }
 }
 
@@ -119,11 +114,10 @@ impl<'a> Drawing<'a> {
         let Some(at) = camera.project(direction) else {
             return;
         };
-        let size = DVec2::new(camera.width.into(), camera.height.into());
         for (reach, light) in spread(light) {
-            let margin = DVec2::splat(reach);
-            if at.cmpgt(-margin).all() && at.cmplt(size + margin).all() {
-                self.splats.push(Splat { at, reach, light });
+            let splat = Splat { at, reach, light };
+            if splat.may_touch(camera) {
+                self.splats.push(splat);
             }
         }
     }
@@ -147,19 +141,4 @@ pub(super) fn observed(
 fn magnified(light: Vec3, magnification: f64) -> Vec3 {
     let most = f64::from(MAX_LIGHT) / f64::from(light.max_element());
     light * magnification.min(most) as f32
-}
-
-fn add(picture: &mut Picture, splat: &Splat) {
-    let (width, height) = (picture.width(), picture.height());
-    let covered = |at: f64, side: u32| {
-        let bound = |edge: f64| edge.clamp(0.0, side.into()) as u32;
-        bound(at - splat.reach)..bound(at + splat.reach + 1.0)
-    };
-    for row in covered(splat.at.y, height) {
-        for column in covered(splat.at.x, width) {
-            let middle = DVec2::new(column.into(), row.into()) + 0.5;
-            let light = splat.light * weight(middle - splat.at, splat.reach) as f32;
-            picture.add(column, row, light.to_array());
-        }
-    }
 }

@@ -1,5 +1,6 @@
 //! Options of the window, of `render`, `diff` and `catalogue`, and of point stars.
 
+use super::projection::ProjectionArgs;
 use super::scene::{MethodName, PassName, SamplingName, SceneArgs, ViewArgs};
 use super::values::{Exposure, exposure, size, stars, stops};
 use clap::Args;
@@ -43,6 +44,9 @@ pub struct RenderArgs {
     /// costs.
     #[arg(long)]
     pub explain: bool,
+    /// The projection.
+    #[command(flatten)]
+    pub projection: ProjectionArgs,
     /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,

@@ -2,11 +2,13 @@
 
 mod draw;
 mod measure;
+mod projection;
 mod scene;
 mod values;
 
 pub use draw::{CatalogueArgs, DiffArgs, PICTURE, RenderArgs, StarArgs, WindowArgs};
 pub use measure::{BenchArgs, ChartArgs, FlickerArgs, ReferenceArgs};
+pub use projection::ProjectionArgs;
 pub use scene::{DeviceName, MethodName, PassName, SamplingName, SceneArgs, ViewArgs};
 pub use values::Exposure;
 

@@ -4,7 +4,7 @@ use super::values::{place, size, sky};
 use clap::builder::{OsStringValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use lensbake_core::Motion;
-use lensbake_render::camera::View;
+use lensbake_render::camera::{Projection, View};
 use lensbake_render::gpu::Pass;
 use lensbake_render::lens::Deflection;
 use lensbake_render::scene::Sampling;
@@ -15,9 +15,10 @@ use std::path::PathBuf;
 /// The scene, and the device that draws it.
 #[derive(Debug, Args)]
 pub struct SceneArgs {
-    /// Size of the picture.
-    #[arg(long, value_name = "WxH", default_value = "1920x1080", value_parser = size)]
-    pub size: (u32, u32),
+    /// Size of the picture [default: 1920x1080, a panorama 4096x2048, a fisheye or dome 2048x2048, a face of a cube
+    /// 1024x1024].
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<(u32, u32)>,
     /// Device to draw on; `auto` is the GPU if there is one.
     #[arg(short, long, value_enum, default_value_t = DeviceName::Auto)]
     pub device: DeviceName,
@@ -29,9 +30,9 @@ pub struct SceneArgs {
 /// Position and orientation of the camera, sky, and bending table.
 #[derive(Debug, Clone, Args)]
 pub struct ViewArgs {
-    /// Horizontal field of view, between 0 and 180.
-    #[arg(long, value_name = "DEG", default_value_t = View::default().fov_deg, allow_negative_numbers = true)]
-    pub fov: f64,
+    /// Horizontal field of view: between 0 and 180 [default: 90], of a fisheye or dome up to 360 [default: 180].
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
+    pub fov: Option<f64>,
     /// Radial coordinate r of the camera in Schwarzschild radii: above 1 (the horizon) at rest, above 1.5 in orbit, from
     /// 0.01 in free fall.
     #[arg(short, long, value_name = "R", default_value_t = View::default().radius, allow_negative_numbers = true)]
@@ -203,8 +204,12 @@ pub enum DeviceName {
 }
 
 impl ViewArgs {
-    /// The view that the options describe, for a picture of this size.
-    pub fn view(&self, (width, height): (u32, u32)) -> View {
+    /// The view that the options describe, for a picture of this size in this projection.
+    pub fn view(&self, (width, height): (u32, u32), projection: Projection) -> View {
+        let fov_deg = self.fov.unwrap_or(match projection {
+            Projection::Fisheye | Projection::Dome { .. } => 180.0,
+            _ => View::default().fov_deg,
+        });
         // The direction from the hole to the camera is opposite to the one in which the camera sees the hole.
         let (orbit_deg, latitude_deg) = match self.hole {
             Some((right_ascension, declination)) => (right_ascension, -declination),
@@ -219,7 +224,8 @@ impl ViewArgs {
             yaw_deg: self.yaw,
             pitch_deg: self.pitch,
             roll_deg: self.roll,
-            fov_deg: self.fov,
+            projection,
+            fov_deg,
             width,
             height,
         }

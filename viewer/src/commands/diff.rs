@@ -1,12 +1,13 @@
 //! `viewer diff`: compares table lookup with direct integration on the chosen device, and both with the closed
 //! form on the CPU.
 
-use super::{CommandError, gpu_for, least, lens, spare_inputs};
-use crate::cli::DiffArgs;
+use super::{CommandError, gpu_for, least, lens_of, spare_inputs, table};
+use crate::cli::{DiffArgs, ProjectionArgs};
 use glam::DVec3;
 use lensbake_core::RayOutcome;
 use lensbake_program::output::Output;
 use lensbake_program::{Outcome, Printer, Progress, message};
+use lensbake_render::camera::Projection;
 use lensbake_render::cpu;
 use lensbake_render::diff::{PictureDifference, Reference, TraceStatistics};
 use lensbake_render::gpu::Renderer;
@@ -22,7 +23,12 @@ pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
     least::check_budget(args.budget_px)?;
     let output = heat_map_file(args)?;
     let step = args.scene.view.step;
-    let direct = lens(&args.scene, Deflection::Direct { step })?;
+    let scene = &args.scene;
+    let size = scene
+        .size
+        .unwrap_or(ProjectionArgs::default().default_size());
+    let view = scene.view.view(size, Projection::Perspective);
+    let direct = lens_of(&view, Deflection::Direct { step }, &table(&scene.view)?)?;
     let mut lut = direct.with_deflection(Deflection::Lut);
     let sky = Arc::new(sky::load(&args.scene.view.sky)?);
     let gpu = gpu_for(args.scene.device, &lut.camera)?;
@@ -71,8 +77,8 @@ pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
         "{device}: {} x {} pixels, {} degrees across, r = {}, direct steps of {step} rad\n{}{}",
         lut.picture.width(),
         lut.picture.height(),
-        args.scene.view.fov,
-        args.scene.view.radius,
+        view.fov_deg,
+        view.radius,
         statistics.iter().map(line).collect::<String>(),
         pictures_line(&PictureDifference::of(&lut.picture, &direct.picture)),
     ));

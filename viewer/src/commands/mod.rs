@@ -10,11 +10,11 @@ pub mod reference;
 pub mod render;
 pub mod window;
 
-use crate::cli::{DeviceName, PassName, SceneArgs, StarArgs, ViewArgs};
+use crate::cli::{DeviceName, PassName, StarArgs, ViewArgs};
 use lensbake_core::CoreError;
 use lensbake_program::output::{Output, OutputError};
 use lensbake_program::{PrintError, message};
-use lensbake_render::camera::{Camera, CameraError};
+use lensbake_render::camera::{Camera, CameraError, View};
 use lensbake_render::gpu::{Gpu, GpuError, Pass, Renderer};
 use lensbake_render::lens::{Deflection, Lens, LensError};
 use lensbake_render::model::Precision;
@@ -103,6 +103,9 @@ pub enum CommandError {
         "--sampling anisotropic needs a GPU, whose filter it is; on the CPU use --sampling filtered"
     )]
     AnisotropicOnCpu,
+    /// An option does not go with the projection.
+    #[error("{0}")]
+    Projection(&'static str),
     /// The CPU draws in no passes.
     #[error("--pass {0} needs a GPU; leave it out to draw on the CPU")]
     PassOnCpu(String),
@@ -121,9 +124,10 @@ pub enum CommandError {
 fn flag_of(error: &CameraError) -> String {
     match error {
         CameraError::Radius(_) | CameraError::TooFar(_) => "--radius".into(),
-        CameraError::FieldOfView(_) => "--fov".into(),
+        CameraError::FieldOfView(_) | CameraError::DiscFieldOfView(_) => "--fov".into(),
+        CameraError::Tilt(_) => "--tilt".into(),
         CameraError::Angle { what, .. } => format!("--{what}"),
-        CameraError::Size { .. } => "--size".into(),
+        CameraError::Size { .. } | CameraError::Shape { .. } => "--size".into(),
     }
 }
 
@@ -145,16 +149,22 @@ fn spare_inputs(
         .try_for_each(|input| output.spares(input))
 }
 
-/// The lens that the arguments describe.
-fn lens(args: &SceneArgs, deflection: Deflection) -> Result<Lens, CommandError> {
-    let camera = Camera::new(&args.view.view(args.size))?;
-    let (table, name) = table(&args.view)?;
-    Lens::new(camera, &table, deflection).map_err(|problem| match problem {
+/// The lens of a view, as the arguments describe it, through the table with this name for messages.
+fn lens_of(
+    view: &View,
+    deflection: Deflection,
+    (table, name): &(Cow<Table>, String),
+) -> Result<Lens, CommandError> {
+    let camera = Camera::new(view)?;
+    Lens::new(camera, table, deflection).map_err(|problem| match problem {
         LensError::Step { .. } => CommandError::Lens {
             name: "--step".into(),
             problem,
         },
-        _ => CommandError::Lens { name, problem },
+        _ => CommandError::Lens {
+            name: name.clone(),
+            problem,
+        },
     })
 }
 

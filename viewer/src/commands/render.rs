@@ -1,6 +1,6 @@
 //! `viewer render`: draws a picture to a file.
 
-use super::{CommandError, gpu_for, least, lens, renderer, spare_inputs, star_field};
+use super::{CommandError, gpu_for, least, lens_of, renderer, spare_inputs, star_field, table};
 use crate::cli::{DeviceName, Exposure, MethodName, RenderArgs, SamplingName, ViewArgs};
 use clap::ValueEnum;
 use lensbake_program::output::Output;
@@ -16,7 +16,8 @@ use lensbake_render::sky;
 use lensbake_render::stars::StarSource;
 use lensbake_render::{cpu, exposure};
 use pollster::block_on;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
 pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
@@ -30,40 +31,102 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     let budget_px = args.budget_px.unwrap_or(DEFAULT_BUDGET_PX);
     least::check_budget(budget_px)?;
     check_device(args, args.scene.device == DeviceName::Cpu)?;
-    let file = PictureFile::new(&args.output, &args.scene.view, args.stars.stars.as_ref())?;
-    let mut lens = lens(&args.scene, method)?;
+    let jobs = jobs(args, method)?;
     let sky = sky::load(&args.scene.view.sky)?;
     let stars = star_field(&args.stars, &args.scene.view.sky)?;
-    let gpu = gpu_for(args.scene.device, &lens.camera)?;
+    let gpu = gpu_for(args.scene.device, &jobs[0].lens.camera)?;
     check_device(args, gpu.is_none())?;
     let renderer = gpu
         .as_ref()
         .map(|gpu| renderer(gpu, args.pass))
         .transpose()?;
-    let mut printer = Printer::new(file.output.is_standard_output());
+    let mut printer = Printer::new(jobs[0].file.output.is_standard_output());
+    let (sky, stars) = (Arc::new(sky), stars.map(Arc::new));
     let mut outcome = Outcome::Done;
-    if args.explain || args.budget_px.is_some() {
-        let choice = least::choice(&lens, budget_px, gpu.as_ref())?;
-        if args.explain {
-            least::print(&choice, &lens, args.scene.view.step, &mut printer);
-        }
-        if args.budget_px.is_some() {
-            if choice.chosen.is_none() {
-                outcome = Outcome::Missed;
+    for Job { file, mut lens } in jobs {
+        if args.explain || args.budget_px.is_some() {
+            let choice = least::choice(&lens, budget_px, gpu.as_ref())?;
+            if args.explain {
+                least::print(&choice, &lens, args.scene.view.step, &mut printer);
             }
-            lens = least::lens_of(choice, &lens);
+            if args.budget_px.is_some() {
+                if choice.chosen.is_none() {
+                    outcome = Outcome::Missed;
+                }
+                lens = least::lens_of(choice, &lens);
+            }
+        }
+        let (rendition, exposure) = exposed(args, &lens, file.format);
+        let scene = Scene {
+            lens,
+            sampling: args.sampling.into(),
+            sky: sky.clone(),
+            stars: stars.clone(),
+            rendition,
+        };
+        if !picture(args, renderer.as_ref(), &scene, &file, exposure)? {
+            outcome = Outcome::Missed;
         }
     }
-    let (rendition, exposure) = exposed(args, &lens, file.format);
-    let scene = Scene {
-        lens,
-        sampling: args.sampling.into(),
-        sky: sky.into(),
-        stars: stars.map(Into::into),
-        rendition,
+    printer.finish()?;
+    Ok(outcome)
+}
+
+/// A picture to draw, and its file.
+struct Job {
+    file: PictureFile,
+    lens: Lens,
+}
+
+/// The pictures that the arguments ask for: one, or the six faces of a cube.
+fn jobs(args: &RenderArgs, method: Deflection) -> Result<Vec<Job>, CommandError> {
+    let RenderArgs {
+        projection, scene, ..
+    } = args;
+    projection
+        .check(scene.view.fov.is_some())
+        .map_err(CommandError::Projection)?;
+    let size = scene.size.unwrap_or(projection.default_size());
+    let table = table(&scene.view)?;
+    let job = |(ending, projection)| {
+        let path = match ending {
+            Some(ending) => named(&args.output, ending)?,
+            None => args.output.clone(),
+        };
+        let view = scene.view.view(size, projection);
+        Ok(Job {
+            file: PictureFile::new(&path, &scene.view, args.stars.stars.as_ref())?,
+            lens: lens_of(&view, method, &table)?,
+        })
     };
+    projection.all().into_iter().map(job).collect()
+}
+
+/// The path of one of several pictures: the name of the file with an ending before its extension.
+fn named(path: &Path, ending: &str) -> Result<PathBuf, CommandError> {
+    let (Some(stem), Some(extension)) = (path.file_stem(), path.extension()) else {
+        return Err(CommandError::Projection(
+            "--output: the six faces of a cube need a file name like cube.png",
+        ));
+    };
+    let mut name = stem.to_owned();
+    name.push("_");
+    name.push(ending);
+    name.push(".");
+    name.push(extension);
+    Ok(path.with_file_name(name))
+}
+
+/// Draws a picture and writes its file; false if the light of some pixels could not be computed.
+fn picture(
+    args: &RenderArgs,
+    renderer: Option<&Renderer>,
+    scene: &Scene,
+    file: &PictureFile,
+    exposure: f32,
+) -> Result<bool, CommandError> {
     let started = Instant::now();
-    let (picture, device) = draw(renderer, args.scene.device, &scene)?;
+    let (picture, device) = draw(renderer, args.scene.device, scene)?;
     let seconds = started.elapsed().as_secs_f64();
     file.write(&picture, exposure)?;
     message!("drawn on {device} in {seconds:.3} s");
@@ -71,12 +134,11 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
         message!("{}", extra_rays(&scene.lens));
     }
     message!("wrote {}", file.output.name());
-    if let Some(lost) = picture.without_value() {
+    let lost = picture.without_value();
+    if let Some(lost) = lost {
         report_lost_pixels(lost, &picture, scene.lens.deflection);
-        outcome = Outcome::Missed;
     }
-    printer.finish()?;
-    Ok(outcome)
+    Ok(lost.is_none())
 }
 
 /// Checks that the CPU is not asked for what only a GPU has.
@@ -151,8 +213,7 @@ fn report_lost_pixels(lost: WithoutValue, picture: &Picture, method: Deflection)
 fn extra_rays(lens: &Lens) -> String {
     let camera = &lens.camera;
     let pixels = FilteredPixels::new(lens, Rendition::default());
-    let extra = cpu::by_pixel(camera, || (), |column, row| pixels.extra_rays(column, row));
-    let extra: u64 = extra.into_iter().map(u64::from).sum();
+    let extra = pixels.extra_rays_in_all();
     let percent = 100.0 * extra as f64 / camera.pixels() as f64;
     format!("{extra} extra rays beside the shadow's edge, {percent:.2} % of one per pixel")
 }
@@ -160,13 +221,13 @@ fn extra_rays(lens: &Lens) -> String {
 /// Draws `scene` on the GPU if there is one, else on the CPU; returns the picture and the name of the device. If
 /// the GPU has no room for all images of stars, draws on the CPU instead, unless the user asked for the GPU.
 fn draw(
-    renderer: Option<Renderer>,
+    renderer: Option<&Renderer>,
     asked_for: DeviceName,
     scene: &Scene,
 ) -> Result<(Picture, String), CommandError> {
     if let Some(renderer) = renderer {
         let on_cpu = asked_for == DeviceName::Auto && scene.sampling != Sampling::Anisotropic;
-        match on_gpu(&renderer, scene) {
+        match on_gpu(renderer, scene) {
             Err(GpuError::TooManyStars) if on_cpu => {
                 message!(
                     "viewer: drawing on the CPU: the GPU has no room for so many images of stars"

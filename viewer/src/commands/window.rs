@@ -3,16 +3,17 @@
 
 use super::{CommandError, render, stars_of, table};
 use crate::cli::{
-    DeviceName, Exposure, MethodName, PICTURE, RenderArgs, SamplingName, SceneArgs, WindowArgs,
+    DeviceName, Exposure, MethodName, PICTURE, ProjectionArgs, RenderArgs, SamplingName, SceneArgs,
+    WindowArgs,
 };
 use lensbake_program::{Outcome, message};
-use lensbake_render::camera::Camera;
+use lensbake_render::camera::{Camera, Projection};
 use lensbake_render::lens::Deflection;
 use lensbake_render::stars::StarSource;
 use viewer::window::{self, Options};
 
 pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
-    let view = args.view.view(args.size);
+    let view = args.view.view(args.size, Projection::Perspective);
     // Checked here so that the error names the flag; the window knows no flags.
     Camera::new(&view)?;
     let step = args.view.step;
@@ -57,8 +58,9 @@ fn instead(args: &WindowArgs) -> RenderArgs {
         exposure: Exposure::Stops(0.0),
         budget_px: None,
         explain: false,
+        projection: ProjectionArgs::default(),
         scene: SceneArgs {
-            size: args.size,
+            size: Some(args.size),
             device: DeviceName::Auto,
             view: args.view.clone(),
         },

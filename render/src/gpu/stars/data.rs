@@ -2,7 +2,7 @@
 //! shaders.
 
 use crate::stars::PointStar;
-use crate::stars::draw::Splat;
+use crate::stars::Splat;
 use crate::stars::images::{InverseLens, point_distance};
 use crate::stars::kernel::REACHES;
 use lensbake_tables::Texel;

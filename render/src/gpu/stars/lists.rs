@@ -7,9 +7,9 @@ use super::nodes;
 use super::programs::{ListKey, StarPrograms, WORKGROUP};
 use super::report::{Reports, StarLight};
 use crate::gpu::bindings::bind_group;
+use crate::gpu::camera_key::CameraKey;
 use crate::gpu::compute::ComputeShader;
 use crate::gpu::layouts::Layouts;
-use crate::gpu::source::MotionKey;
 use crate::gpu::{CameraBlock, Gpu, GpuError};
 use crate::lens::{Deflection, Lens};
 use crate::shadow::Shadow;
@@ -153,7 +153,7 @@ impl StarLists {
         let camera = CameraBlock::new(&lens.camera, Shadow::of(lens), rendition.light_scale);
         self.list = self.programs.list(ListKey {
             bent: matches!(inverse, InverseLens::Bent(_)),
-            motion: MotionKey::of(&lens.camera).of_stars(),
+            motion: CameraKey::of(&lens.camera).without_radial_motion(),
             shift: rendition.shift,
         });
         let write = |buffer, bytes| self.queue.write_buffer(buffer, 0, bytes);

@@ -5,8 +5,9 @@ use super::nodes;
 use crate::gpu::bindings::{
     storage_buffer_binding, storage_texture_binding, uint_texture_binding, uniform_binding,
 };
+use crate::gpu::camera_key::CameraKey;
 use crate::gpu::compute::ComputeShader;
-use crate::gpu::source::{MotionKey, alias_module, define_shift};
+use crate::gpu::source::{alias_module, define_shift};
 use crate::shaders::Modules;
 use crate::shift::Shift;
 use lensbake_tables::inverse::INVERSE_TEXELS;
@@ -35,8 +36,8 @@ pub(in crate::gpu) struct StarPrograms {
 pub(super) struct ListKey {
     /// Whether light is deflected.
     pub(super) bent: bool,
-    /// How the camera moves.
-    pub(super) motion: MotionKey,
+    /// The camera's motion.
+    pub(super) motion: CameraKey,
     /// What of the frequency shift is shown.
     pub(super) shift: Shift,
 }
@@ -45,7 +46,7 @@ impl ListKey {
     /// The key of a camera at rest, without frequency shift.
     pub(super) const AT_REST: ListKey = ListKey {
         bent: true,
-        motion: MotionKey::AT_REST,
+        motion: CameraKey::AT_REST,
         shift: Shift::Off,
     };
 
@@ -124,7 +125,7 @@ pub(super) mod tests {
     #[test]
     fn they_are_valid() {
         for bent in [false, true] {
-            for motion in [MotionKey::AT_REST, MotionKey::BOOSTED] {
+            for motion in [CameraKey::AT_REST, CameraKey::BOOSTED] {
                 for shift in [Shift::Off, Shift::Brightness, Shift::Colour] {
                     let key = ListKey {
                         bent,

@@ -1,0 +1,279 @@
+//! How view directions are mapped to the plane of the picture.
+
+use super::{Camera, CameraError, View};
+use glam::{DMat3, DVec2, DVec3};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// What a picture shows of all directions, as a user asks for it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Projection {
+    /// Straight lines stay straight. The field of view is between 0° and 180°.
+    #[default]
+    Perspective,
+    /// All directions, twice as wide as high: longitude to the right and latitude upwards, both counted from the view
+    /// direction, with equal steps. The field of view of the view does not matter.
+    Equirectangular,
+    /// A disc as wide as the picture: the distance from its centre, which is the view direction, is proportional to the
+    /// angle from there (equidistant). The field of view, across the disc, is at most 360°. Black outside of it.
+    Fisheye,
+    /// A fisheye for the dome of a planetarium (dome master): the view direction is the front of the horizon, at the
+    /// bottom of the disc, and the centre is the zenith of the dome.
+    Dome {
+        /// The angle by which the dome is tilted towards the front, degrees: the centre of the disc is this far from
+        /// straight up.
+        tilt_deg: f64,
+    },
+    /// A face of a cube around the camera: a square of 90° in perspective, turned from the view direction. The field of
+    /// view of the view does not matter.
+    CubeFace(CubeFace),
+}
+
+/// A face of a cube around the camera, as seen from inside.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum CubeFace {
+    /// To the right of the view direction.
+    Right,
+    /// To the left.
+    Left,
+    /// Above; the lower edge meets the front.
+    Top,
+    /// Below; the upper edge meets the front.
+    Bottom,
+    /// The view direction.
+    Front,
+    /// Behind.
+    Back,
+}
+
+impl CubeFace {
+    /// All faces, in the order in which [`SkySource::Faces`](crate::sky::SkySource::Faces) reads them.
+    pub const ALL: [CubeFace; 6] = [
+        CubeFace::Right,
+        CubeFace::Left,
+        CubeFace::Top,
+        CubeFace::Bottom,
+        CubeFace::Front,
+        CubeFace::Back,
+    ];
+
+    /// Its name in names of files.
+    pub fn name(self) -> &'static str {
+        match self {
+            CubeFace::Right => "right",
+            CubeFace::Left => "left",
+            CubeFace::Top => "top",
+            CubeFace::Bottom => "bottom",
+            CubeFace::Front => "front",
+            CubeFace::Back => "back",
+        }
+    }
+
+    /// Rotation from the front to this face.
+    fn turn(self) -> DMat3 {
+        match self {
+            CubeFace::Right => DMat3::from_rotation_y(-FRAC_PI_2),
+            CubeFace::Left => DMat3::from_rotation_y(FRAC_PI_2),
+            CubeFace::Top => DMat3::from_rotation_x(FRAC_PI_2),
+            CubeFace::Bottom => DMat3::from_rotation_x(-FRAC_PI_2),
+            CubeFace::Front => DMat3::IDENTITY,
+            CubeFace::Back => DMat3::from_rotation_y(PI),
+        }
+    }
+}
+
+/// The map from view directions to the plane of the picture. `shaders/ray_*.wgsl` have the same formulae.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Mapping {
+    /// The tangent of the angle from the view direction is proportional to the distance from the centre (gnomonic).
+    #[default]
+    Perspective,
+    /// Column and row are proportional to longitude and latitude.
+    Equirectangular,
+    /// The angle from the view direction is proportional to the distance from the centre.
+    Equidistant,
+}
+
+/// The view direction at a point of the picture, not normalised, and its derivatives with respect to pixels to the right
+/// and downwards, in the hole frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ViewRay {
+    /// The view direction.
+    pub direction: DVec3,
+    /// Its change from one pixel to the next on the right.
+    pub right: DVec3,
+    /// Its change from one pixel to the next below.
+    pub down: DVec3,
+}
+
+impl Projection {
+    /// The map from view directions to the picture.
+    pub fn mapping(self) -> Mapping {
+        match self {
+            Projection::Perspective | Projection::CubeFace(_) => Mapping::Perspective,
+            Projection::Equirectangular => Mapping::Equirectangular,
+            Projection::Fisheye | Projection::Dome { .. } => Mapping::Equidistant,
+        }
+    }
+
+    /// Rotation from the frame in which the picture is drawn, with its centre along −Z, to the camera frame.
+    ///
+    /// # Errors
+    /// [`CameraError::Tilt`] if the tilt of a dome is not from 0° to 90°.
+    pub(super) fn turn(self) -> Result<DMat3, CameraError> {
+        match self {
+            Projection::Dome { tilt_deg } if (0.0..=90.0).contains(&tilt_deg) => {
+                Ok(DMat3::from_rotation_x(FRAC_PI_2 - tilt_deg.to_radians()))
+            }
+            Projection::Dome { tilt_deg } => Err(CameraError::Tilt(tilt_deg)),
+            Projection::CubeFace(face) => Ok(face.turn()),
+            Projection::Perspective | Projection::Equirectangular | Projection::Fisheye => {
+                Ok(DMat3::IDENTITY)
+            }
+        }
+    }
+
+    /// The angle between the directions of neighbouring pixels in the centre of the picture of `view`, rad; for
+    /// [`Mapping::Perspective`] its tangent.
+    ///
+    /// # Errors
+    /// [`CameraError`] if the projection has no such field of view, or no picture of this shape.
+    pub(super) fn pixel(self, view: &View) -> Result<f64, CameraError> {
+        let fov_deg = view.fov_deg;
+        let angle = match self {
+            Projection::Perspective if fov_deg > 0.0 && fov_deg < 180.0 => {
+                2.0 * (0.5 * fov_deg.to_radians()).tan()
+            }
+            Projection::Perspective => return Err(CameraError::FieldOfView(fov_deg)),
+            Projection::CubeFace(_) => {
+                Self::check_shape(view, "a face of a cube is square", 1)?;
+                2.0
+            }
+            Projection::Equirectangular => {
+                let what = "an equirectangular picture is twice as wide as high";
+                Self::check_shape(view, what, 2)?;
+                TAU
+            }
+            Projection::Fisheye | Projection::Dome { .. } if fov_deg > 0.0 && fov_deg <= 360.0 => {
+                fov_deg.to_radians()
+            }
+            Projection::Fisheye | Projection::Dome { .. } => {
+                return Err(CameraError::DiscFieldOfView(fov_deg));
+            }
+        };
+        Ok(angle / f64::from(view.width))
+    }
+
+    fn check_shape(view: &View, what: &'static str, times: u32) -> Result<(), CameraError> {
+        let (width, height) = (view.width, view.height);
+        if Some(width) == height.checked_mul(times) {
+            Ok(())
+        } else {
+            Err(CameraError::Shape {
+                what,
+                width,
+                height,
+            })
+        }
+    }
+}
+
+/// sin α / α, for α ≥ 0.
+fn sinc(angle: f64) -> f64 {
+    if angle < 1e-4 {
+        1.0 - angle * angle / 6.0
+    } else {
+        angle.sin() / angle
+    }
+}
+
+impl Camera {
+    /// The view direction at `at`, in pixels from the centre of the picture, with its derivatives.
+    pub fn view_ray(&self, at: DVec2) -> ViewRay {
+        match self.mapping {
+            Mapping::Perspective => ViewRay {
+                direction: self.forward + self.right * at.x + self.down * at.y,
+                right: self.right,
+                down: self.down,
+            },
+            Mapping::Equirectangular => self.on_sphere(at),
+            Mapping::Equidistant => self.on_disc(at),
+        }
+    }
+
+    /// The picture's axes as unit vectors, and the angle between neighbouring pixels in its centre, rad.
+    fn axes(&self) -> (DVec3, DVec3, f64) {
+        let pixel = self.right.length();
+        (self.right / pixel, self.down / pixel, pixel)
+    }
+
+    fn on_sphere(&self, at: DVec2) -> ViewRay {
+        let (right, down, pixel) = self.axes();
+        let (longitude_sin, longitude_cos) = (pixel * at.x).sin_cos();
+        let (latitude_sin, latitude_cos) = (pixel * at.y).sin_cos();
+        let on_equator = right * longitude_sin + self.forward * longitude_cos;
+        let along = right * longitude_cos - self.forward * longitude_sin;
+        ViewRay {
+            direction: on_equator * latitude_cos + down * latitude_sin,
+            right: along * (pixel * latitude_cos),
+            down: (down * latitude_cos - on_equator * latitude_sin) * pixel,
+        }
+    }
+
+    fn on_disc(&self, at: DVec2) -> ViewRay {
+        let (right, down, pixel) = self.axes();
+        let angle = pixel * at.length();
+        let (sin, cos) = angle.sin_cos();
+        let outward = at.try_normalize().unwrap_or(DVec2::X);
+        let from_centre = right * outward.x + down * outward.y;
+        let around = down * outward.x - right * outward.y;
+        let radial = (from_centre * cos - self.forward * sin) * pixel;
+        let tangential = around * (sinc(angle) * pixel);
+        ViewRay {
+            direction: self.forward * cos + from_centre * sin,
+            right: radial * outward.x - tangential * outward.y,
+            down: radial * outward.y + tangential * outward.x,
+        }
+    }
+
+    /// Projects `direction`, in the hole frame, to pixels from the picture's top left corner. The result may lie outside
+    /// the picture. `None` if the direction has no place in the plane of the picture: in perspective unless it points
+    /// ahead of the camera.
+    pub fn project(&self, direction: DVec3) -> Option<DVec2> {
+        let ahead = direction.dot(self.forward);
+        let (right, down, pixel) = self.axes();
+        let aside = DVec2::new(direction.dot(right), direction.dot(down));
+        let from_centre = match self.mapping {
+            Mapping::Perspective if ahead > 0.0 => aside / (ahead * pixel),
+            Mapping::Perspective => return None,
+            Mapping::Equirectangular => {
+                let horizontal = aside.x.hypot(ahead);
+                DVec2::new(aside.x.atan2(ahead), aside.y.atan2(horizontal)) / pixel
+            }
+            Mapping::Equidistant => {
+                let angle = aside.length().atan2(ahead);
+                aside.try_normalize().unwrap_or(DVec2::X) * (angle / pixel)
+            }
+        };
+        Some(from_centre + 0.5 * DVec2::new(self.width.into(), self.height.into()))
+    }
+
+    /// The share of pixel (column, row) that the picture covers: 1 in the picture, 0 outside the disc of a fisheye.
+    pub fn coverage(&self, column: u32, row: u32) -> f64 {
+        if self.mapping != Mapping::Equidistant {
+            return 1.0;
+        }
+        let inside = 0.5 * f64::from(self.width) - self.position(column, row).length();
+        (inside + 0.5).clamp(0.0, 1.0)
+    }
+
+    /// The solid angle of a pixel at `at`, in pixels from the centre of the picture, in units of that of a pixel in the
+    /// centre.
+    pub fn pixel_solid_angle(&self, at: DVec2) -> f64 {
+        let pixel = self.right.length();
+        match self.mapping {
+            Mapping::Perspective => (1.0 + pixel * pixel * at.length_squared()).powf(-1.5),
+            Mapping::Equirectangular => (pixel * at.y).cos().max(0.0),
+            Mapping::Equidistant => sinc((pixel * at.length()).min(PI)).max(0.0),
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! Light that falls on a point of the picture, distributed over its pixels.
+
+use super::kernel::{CORE, weight};
+use crate::camera::{Camera, Mapping};
+use crate::picture::Picture;
+use glam::{DVec2, Vec3};
+use std::f64::consts::FRAC_PI_2;
+use std::ops::Range;
+
+/// Light that falls on a point of the picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Splat {
+    /// Position in pixels from the picture's top left corner.
+    pub at: DVec2,
+    /// Half-width of its point-spread kernel, pixels.
+    pub reach: f64,
+    /// Its light, linear RGB.
+    pub light: Vec3,
+}
+
+/// Least solid angle of a pixel of a fisheye by which the light of a star is divided, in units of that of a pixel in the
+/// centre. The whole rim of a disc of 360° is one direction.
+const LEAST_SOLID_ANGLE: f64 = 0.1;
+
+impl Splat {
+    /// Whether its kernel may touch the picture of `camera`.
+    pub(super) fn may_touch(&self, camera: &Camera) -> bool {
+        let size = DVec2::new(camera.width.into(), camera.height.into());
+        let margin = DVec2::splat(self.reach);
+        let around = camera.mapping == Mapping::Equirectangular;
+        around || (self.at.cmpgt(-margin).all() && self.at.cmplt(size + margin).all())
+    }
+}
+
+/// The pixels of one side of a picture that `reach` covers around `at`.
+fn covered(at: f64, reach: f64, side: u32) -> Range<u32> {
+    let bound = |edge: f64| edge.clamp(0.0, side.into()) as u32;
+    bound(at - reach)..bound(at + reach + 1.0)
+}
+
+/// The centre of a pixel, in pixels from the picture's top left corner.
+fn middle(column: f64, row: u32) -> DVec2 {
+    DVec2::new(column, row.into()) + 0.5
+}
+
+/// Adds a splat to a picture in perspective.
+pub(super) fn add(picture: &mut Picture, splat: &Splat) {
+    let (width, height) = (picture.width(), picture.height());
+    for row in covered(splat.at.y, splat.reach, height) {
+        for column in covered(splat.at.x, splat.reach, width) {
+            let offset = middle(column.into(), row) - splat.at;
+            let light = splat.light * weight(offset, splat.reach) as f32;
+            picture.add(column, row, light.to_array());
+        }
+    }
+}
+
+/// Adds a splat to a picture whose pixels differ in solid angle. The light per solid angle is that of a pixel in the
+/// centre, wherever the star is: its kernels are as wide on the sphere as there.
+pub(super) fn add_curved(picture: &mut Picture, splat: &Splat, camera: &Camera) {
+    for row in covered(splat.at.y, splat.reach, camera.height) {
+        for column in columns(splat, camera, row) {
+            let share = curved_weight(splat, camera, column, row);
+            let column = column.rem_euclid(i64::from(camera.width)) as u32;
+            picture.add(column, row, (splat.light * share as f32).to_array());
+        }
+    }
+}
+
+/// The columns that a splat may touch in a row. Those of an equirectangular picture go on beyond its edges.
+fn columns(splat: &Splat, camera: &Camera, row: u32) -> Range<i64> {
+    if camera.mapping == Mapping::Equidistant {
+        let columns = covered(splat.at.x, splat.reach, camera.width);
+        return columns.start.into()..columns.end.into();
+    }
+    // Where the star and the row are nearest to a pole, the circle around the star is widest.
+    let half_height = 0.5 * f64::from(camera.height);
+    let nearest = splat.at.y.min(row.into()) - half_height;
+    let farthest = splat.at.y.max(f64::from(row) + 1.0) - half_height;
+    let latitude = camera.right.length() * nearest.abs().max(farthest.abs());
+    let half = splat.reach / latitude.min(FRAC_PI_2).cos().max(1e-9);
+    let width = i64::from(camera.width);
+    if 2.0 * half + 1.0 >= f64::from(camera.width) {
+        let first = splat.at.x.round() as i64 - width / 2;
+        return first..first + width;
+    }
+    (splat.at.x - half).floor() as i64..(splat.at.x + half + 1.0).floor() as i64
+}
+
+/// The light of a pixel by that of the star, for the pixel whose column may be beyond the edges.
+fn curved_weight(splat: &Splat, camera: &Camera, column: i64, row: u32) -> f64 {
+    let size = DVec2::new(camera.width.into(), camera.height.into());
+    let pixel = middle(column as f64, row);
+    if splat.reach > CORE {
+        let ray = |at: DVec2| camera.ray(at - 0.5 * size);
+        let apart = (ray(pixel) - ray(splat.at)).length() / camera.right.length();
+        return weight(DVec2::new(apart, 0.0), splat.reach);
+    }
+    let solid_angle = camera.pixel_solid_angle(splat.at - 0.5 * size);
+    let offset = pixel - splat.at;
+    match camera.mapping {
+        // No wider than the picture.
+        Mapping::Equirectangular => {
+            let narrowed = solid_angle.max(2.0 * CORE / size.x);
+            weight(DVec2::new(offset.x * narrowed, offset.y), splat.reach)
+        }
+        Mapping::Perspective | Mapping::Equidistant => {
+            weight(offset, splat.reach) / solid_angle.max(LEAST_SOLID_ANGLE)
+        }
+    }
+}
