@@ -277,3 +277,178 @@ impl Camera {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn camera(projection: Projection, width: u32, height: u32, fov_deg: f64) -> Camera {
+        let view = View {
+            yaw_deg: 35.0,
+            pitch_deg: -20.0,
+            roll_deg: 10.0,
+            projection,
+            fov_deg,
+            width,
+            height,
+            ..View::default()
+        };
+        Camera::new(&view).unwrap()
+    }
+
+    fn any_camera() -> impl Strategy<Value = Camera> {
+        prop_oneof![
+            (1.0..179.0).prop_map(|fov| camera(Projection::Perspective, 64, 48, fov)),
+            Just(camera(Projection::Equirectangular, 64, 32, 1.0)),
+            (1.0..=360.0).prop_map(|fov| camera(Projection::Fisheye, 64, 64, fov)),
+            (0.0..=90.0).prop_map(|tilt_deg| camera(Projection::Dome { tilt_deg }, 64, 64, 180.0)),
+        ]
+    }
+
+    proptest! {
+        #[test]
+        fn a_direction_is_projected_to_where_it_came_from(
+            camera in any_camera(),
+            x in prop_oneof![-0.5..0.5, Just(0.0), -0.4999..-0.499],
+            y in prop_oneof![-0.5..0.5, Just(0.0), 0.499..0.4999],
+        ) {
+            let size = DVec2::new(camera.width.into(), camera.height.into());
+            let at = DVec2::new(x, y) * size;
+            prop_assume!(camera.mapping != Mapping::Equidistant || at.length() < 0.4999 * size.x);
+            let back = camera.project(camera.ray(at).normalize()).unwrap() - 0.5 * size;
+            prop_assert!((back - at).length() < 1e-6, "{at} {back}");
+        }
+
+        #[test]
+        fn the_steps_are_the_differences_of_the_ray(
+            camera in any_camera(),
+            x in -30.0..30.0,
+            y in prop_oneof![-16.0..16.0, 15.9..15.999],
+        ) {
+            let (at, h) = (DVec2::new(x, y), 1e-4);
+            let ray = camera.view_ray(at);
+            let along = |step: DVec2| (camera.ray(at + step * h) - camera.ray(at - step * h)) / (2.0 * h);
+            let pixel = camera.right.length();
+            prop_assert!((ray.right - along(DVec2::X)).length() < 1e-6 * pixel);
+            prop_assert!((ray.down - along(DVec2::Y)).length() < 1e-6 * pixel);
+            let solid_angle = ray.right.cross(ray.down).dot(ray.direction).abs()
+                / ray.direction.length().powi(3);
+            let expected = camera.pixel_solid_angle(at) * pixel * pixel;
+            // Beyond the rim of a fisheye there is no sky.
+            prop_assume!(pixel * at.length() < PI || camera.mapping != Mapping::Equidistant);
+            prop_assert!((solid_angle - expected).abs() < 1e-9 * pixel * pixel);
+        }
+    }
+
+    /// In the frame of a camera that looks at the hole: X to the right, Y up, −Z ahead.
+    fn looks_at_hole(projection: Projection, size: u32) -> Camera {
+        let view = View {
+            projection,
+            fov_deg: 180.0,
+            width: size,
+            height: size,
+            ..View::default()
+        };
+        Camera::new(&view).unwrap()
+    }
+
+    #[test]
+    fn a_dome_has_its_zenith_in_the_middle_and_its_front_at_the_bottom() {
+        for tilt_deg in [0.0, 15.0, 30.0] {
+            let (sin, cos) = f64::to_radians(tilt_deg).sin_cos();
+            let camera = looks_at_hole(Projection::Dome { tilt_deg }, 1000);
+            let rim = 500.0;
+            for (at, direction) in [
+                (DVec2::ZERO, DVec3::new(0.0, cos, -sin)),
+                (DVec2::new(0.0, rim), DVec3::new(0.0, -sin, -cos)),
+                (DVec2::new(0.0, -rim), DVec3::new(0.0, sin, cos)),
+                (DVec2::new(rim, 0.0), DVec3::X),
+                (DVec2::new(-rim, 0.0), DVec3::NEG_X),
+            ] {
+                let off = camera.ray(at) - direction;
+                assert!(off.length() < 1e-12, "{tilt_deg} {at}: {off}");
+            }
+            // Equidistant: half-way to the rim is 45° from the zenith.
+            let half_way = camera.ray(DVec2::new(0.5 * rim, 0.0));
+            assert!((half_way.angle_between(camera.forward) - 0.25 * PI).abs() < 1e-12);
+            assert_eq!(camera.coverage(0, 0), 0.0);
+            assert_eq!(camera.coverage(500, 500), 1.0);
+            let at_rim = camera.coverage(500, 999);
+            assert!(at_rim > 0.9, "{at_rim}");
+        }
+    }
+
+    #[test]
+    fn neighbouring_faces_of_a_cube_share_their_edge() {
+        let [right, left, top, bottom, front, back] =
+            CubeFace::ALL.map(|face| looks_at_hole(Projection::CubeFace(face), 100));
+        // The edges of a face from its upper left or lower right corner: to the right and downwards.
+        let edge = |camera: &Camera, side: &str, t: f64| {
+            let t = 100.0 * t - 50.0;
+            let at = match side {
+                "top" => DVec2::new(t, -50.0),
+                "bottom" => DVec2::new(t, 50.0),
+                "left" => DVec2::new(-50.0, t),
+                _ => DVec2::new(50.0, t),
+            };
+            camera.ray(at)
+        };
+        for (a, side_a, b, side_b, reversed) in [
+            (&front, "right", &right, "left", false),
+            (&right, "right", &back, "left", false),
+            (&back, "right", &left, "left", false),
+            (&left, "right", &front, "left", false),
+            (&front, "top", &top, "bottom", false),
+            (&front, "bottom", &bottom, "top", false),
+            (&right, "top", &top, "right", true),
+            (&left, "top", &top, "left", false),
+            (&back, "top", &top, "top", true),
+            (&right, "bottom", &bottom, "right", false),
+            (&left, "bottom", &bottom, "left", true),
+            (&back, "bottom", &bottom, "bottom", true),
+        ] {
+            for t in [0.0, 0.3, 1.0] {
+                let other = if reversed { 1.0 - t } else { t };
+                let off = edge(a, side_a, t) - edge(b, side_b, other);
+                assert!(off.length() < 1e-12, "{side_a} {side_b} {t}: {off}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_picture_of_a_projection_is_refused() {
+        let refused = |projection, width, height, fov_deg| {
+            let view = View {
+                projection,
+                width,
+                height,
+                fov_deg,
+                ..View::default()
+            };
+            Camera::new(&view).unwrap_err()
+        };
+        let shape = refused(Projection::Equirectangular, 1920, 1080, 90.0);
+        assert_eq!(
+            shape.to_string(),
+            "picture size 1920x1080: an equirectangular picture is twice as wide as high"
+        );
+        let face = Projection::CubeFace(CubeFace::Top);
+        assert!(matches!(
+            refused(face, 2, 1, 90.0),
+            CameraError::Shape { .. }
+        ));
+        for fov_deg in [0.0, -1.0, 360.1, f64::NAN] {
+            assert!(matches!(
+                refused(Projection::Fisheye, 8, 8, fov_deg),
+                CameraError::DiscFieldOfView(_)
+            ));
+        }
+        for tilt_deg in [-1.0, 91.0, f64::NAN] {
+            assert!(matches!(
+                refused(Projection::Dome { tilt_deg }, 8, 8, 180.0),
+                CameraError::Tilt(_)
+            ));
+        }
+    }
+}

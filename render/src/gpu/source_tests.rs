@@ -168,3 +168,28 @@ fn fragment_shaders_without_stars_can_be_written_for_webgl2() {
     // Only pictures have stars.
     assert_eq!(written, 420);
 }
+
+#[test]
+fn shaders_of_every_mapping_are_valid() {
+    let mut checked = 0;
+    for key in keys() {
+        for mapping in [Mapping::Equirectangular, Mapping::Equidistant] {
+            let camera = CameraKey {
+                mapping,
+                ..key.camera
+            };
+            let key = PipelineKey { camera, ..key };
+            // Those pictures have their stars from the CPU.
+            if key.deflection != DeflectionKey::Lut || key.stars {
+                continue;
+            }
+            validate(&key.source(), key.entry_points());
+            if let Some(classifier) = key.classifier() {
+                let entry_points = ["classify_tiles", "close_queues"];
+                validate(&classifier.classifier_source(), &entry_points);
+            }
+            checked += 1;
+        }
+    }
+    assert!(checked > 100, "{checked}");
+}

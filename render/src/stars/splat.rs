@@ -56,21 +56,81 @@ pub(super) fn add(picture: &mut Picture, splat: &Splat) {
 }
 
 /// Adds a splat to a picture whose pixels differ in solid angle. The light per solid angle is that of a pixel in the
-/// centre, wherever the star is: its kernels are as wide on the sphere as there.
+/// centre, wherever the star is: the kernels are as wide on the sphere as there.
 pub(super) fn add_curved(picture: &mut Picture, splat: &Splat, camera: &Camera) {
-    for row in covered(splat.at.y, splat.reach, camera.height) {
-        for column in columns(splat, camera, row) {
-            let share = curved_weight(splat, camera, column, row);
-            let column = column.rem_euclid(i64::from(camera.width)) as u32;
-            picture.add(column, row, (splat.light * share as f32).to_array());
+    match camera.mapping {
+        _ if splat.reach > CORE => add_halo(picture, splat, camera),
+        Mapping::Equirectangular => add_wide_core(picture, splat, camera),
+        Mapping::Perspective | Mapping::Equidistant => {
+            let solid_angle = camera.pixel_solid_angle(from_centre(splat.at, camera));
+            let light = splat.light / solid_angle.max(LEAST_SOLID_ANGLE) as f32;
+            add(picture, &Splat { light, ..*splat });
         }
     }
 }
 
-/// The columns that a splat may touch in a row. Those of an equirectangular picture go on beyond its edges.
+/// A point of the picture in pixels from its centre.
+fn from_centre(at: DVec2, camera: &Camera) -> DVec2 {
+    at - 0.5 * DVec2::new(camera.width.into(), camera.height.into())
+}
+
+/// Adds the core of a star to an equirectangular picture: it is wider by 1 over the cosine of the latitude.
+fn add_wide_core(picture: &mut Picture, splat: &Splat, camera: &Camera) {
+    let width = f64::from(camera.width);
+    let cos = camera.pixel_solid_angle(from_centre(splat.at, camera));
+    // No wider than the picture.
+    let narrowed = cos.max(2.0 * CORE / width);
+    let half = (CORE / narrowed).min(0.5 * width);
+    let first = splat.at.x - 0.5;
+    let columns = (first - half).ceil() as i64..(first + half).ceil() as i64;
+    let along = |column: i64| (column as f64 + 0.5 - splat.at.x) * narrowed;
+    let across = |y: f64| weight(DVec2::new(0.0, y), CORE) / weight(DVec2::ZERO, CORE);
+    let right: Vec<f64> = columns
+        .clone()
+        .map(|column| across(along(column)))
+        .collect();
+    let rows = covered(splat.at.y, splat.reach, camera.height);
+    let down = rows.map(|row| (row, across(f64::from(row) + 0.5 - splat.at.y)));
+    let down: Vec<(u32, f64)> = down.collect();
+    // The weights of a widened spline do not quite add up to one.
+    let solid_angle = |row| camera.pixel_solid_angle(camera.position(0, row));
+    let light: f64 = down
+        .iter()
+        .map(|&(row, weight)| weight * solid_angle(row))
+        .sum();
+    let sum = light * right.iter().sum::<f64>();
+    if sum == 0.0 {
+        return;
+    }
+    for (column, right) in columns.zip(right) {
+        let column = column.rem_euclid(camera.width.into()) as u32;
+        for &(row, down) in &down {
+            let share = (right * down / sum) as f32;
+            picture.add(column, row, (splat.light * share).to_array());
+        }
+    }
+}
+
+/// Adds a halo, which is round on the sphere.
+fn add_halo(picture: &mut Picture, splat: &Splat, camera: &Camera) {
+    let ray = |at: DVec2| camera.ray(from_centre(at, camera));
+    let star = ray(splat.at);
+    for row in covered(splat.at.y, splat.reach, camera.height) {
+        for column in columns(splat, camera, row) {
+            let apart = (ray(middle(column as f64, row)) - star).length() / camera.right.length();
+            let share = weight(DVec2::new(apart, 0.0), splat.reach) as f32;
+            let column = column.rem_euclid(camera.width.into()) as u32;
+            picture.add(column, row, (splat.light * share).to_array());
+        }
+    }
+}
+
+/// The columns that a halo may touch in a row. Those of an equirectangular picture go on beyond its edges.
 fn columns(splat: &Splat, camera: &Camera, row: u32) -> Range<i64> {
-    if camera.mapping == Mapping::Equidistant {
-        let columns = covered(splat.at.x, splat.reach, camera.width);
+    if camera.mapping != Mapping::Equirectangular {
+        // Pixels around the centre of a fisheye are narrower than those in the centre.
+        let reach = splat.reach / LEAST_SOLID_ANGLE;
+        let columns = covered(splat.at.x, reach, camera.width);
         return columns.start.into()..columns.end.into();
     }
     // Where the star and the row are nearest to a pole, the circle around the star is widest.
@@ -85,27 +145,4 @@ fn columns(splat: &Splat, camera: &Camera, row: u32) -> Range<i64> {
         return first..first + width;
     }
     (splat.at.x - half).floor() as i64..(splat.at.x + half + 1.0).floor() as i64
-}
-
-/// The light of a pixel by that of the star, for the pixel whose column may be beyond the edges.
-fn curved_weight(splat: &Splat, camera: &Camera, column: i64, row: u32) -> f64 {
-    let size = DVec2::new(camera.width.into(), camera.height.into());
-    let pixel = middle(column as f64, row);
-    if splat.reach > CORE {
-        let ray = |at: DVec2| camera.ray(at - 0.5 * size);
-        let apart = (ray(pixel) - ray(splat.at)).length() / camera.right.length();
-        return weight(DVec2::new(apart, 0.0), splat.reach);
-    }
-    let solid_angle = camera.pixel_solid_angle(splat.at - 0.5 * size);
-    let offset = pixel - splat.at;
-    match camera.mapping {
-        // No wider than the picture.
-        Mapping::Equirectangular => {
-            let narrowed = solid_angle.max(2.0 * CORE / size.x);
-            weight(DVec2::new(offset.x * narrowed, offset.y), splat.reach)
-        }
-        Mapping::Perspective | Mapping::Equidistant => {
-            weight(offset, splat.reach) / solid_angle.max(LEAST_SOLID_ANGLE)
-        }
-    }
 }
