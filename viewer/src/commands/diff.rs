@@ -21,10 +21,10 @@ use std::sync::Arc;
 pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
     least::check_budget(args.budget_px)?;
     let output = heat_map_file(args)?;
-    let step = args.scene.view.step;
+    let step = args.scene.view.light.step;
     let direct = lens(&args.scene, Deflection::Direct { step })?;
     let mut lut = direct.with_deflection(Deflection::Lut);
-    let sky = Arc::new(sky::load(&args.scene.view.sky)?);
+    let sky = Arc::new(sky::load(&args.scene.view.light.sky)?);
     let gpu = gpu_for(args.scene.device, &lut.camera)?;
     let mut printer = Printer::new(false);
     let reference = with_progress(&lut, |progress| Reference::new(&lut, || progress.step()));
@@ -89,7 +89,7 @@ fn heat_map_file(args: &DiffArgs) -> Result<Output, CommandError> {
     if output.is_standard_output() {
         return Err(CommandError::ReportTakesOutput("--output"));
     }
-    spare_inputs(&output, &args.scene.view, None)?;
+    spare_inputs(&output, &args.scene.view.light, None)?;
     Ok(output)
 }
 

@@ -10,7 +10,8 @@ pub mod reference;
 pub mod render;
 pub mod window;
 
-use crate::cli::{DeviceName, PassName, SceneArgs, StarArgs, ViewArgs};
+use crate::cli::{DeviceName, DrawingArgs, LightArgs, PassName, SamplingName, SceneArgs, StarArgs};
+use clap::ValueEnum;
 use lensbake_core::CoreError;
 use lensbake_program::output::{Output, OutputError};
 use lensbake_program::{PrintError, message};
@@ -127,14 +128,14 @@ fn flag_of(error: &CameraError) -> String {
     }
 }
 
-/// Checks that `output` overwrites none of the input files of `view` and `stars`.
+/// Checks that `output` overwrites none of the input files of `light` and `stars`.
 fn spare_inputs(
     output: &Output,
-    view: &ViewArgs,
+    light: &LightArgs,
     stars: Option<&StarSource>,
 ) -> Result<(), OutputError> {
-    let table = view.table.iter().map(PathBuf::as_path);
-    let sky = view.sky.files().iter().map(PathBuf::as_path);
+    let table = light.table.iter().map(PathBuf::as_path);
+    let sky = light.sky.files().iter().map(PathBuf::as_path);
     let stars = match stars {
         Some(StarSource::File(path)) => Some(path.as_path()),
         Some(StarSource::Hipparcos) | None => None,
@@ -148,8 +149,18 @@ fn spare_inputs(
 /// The lens that the arguments describe.
 fn lens(args: &SceneArgs, deflection: Deflection) -> Result<Lens, CommandError> {
     let camera = Camera::new(&args.view.view(args.size))?;
-    let (table, name) = table(&args.view)?;
-    Lens::new(camera, &table, deflection).map_err(|problem| match problem {
+    let (table, name) = table(&args.view.light)?;
+    lens_of(camera, &table, name, deflection)
+}
+
+/// The lens of `camera` with `table`, whose name in messages is `name`.
+fn lens_of(
+    camera: Camera,
+    table: &Table,
+    name: String,
+    deflection: Deflection,
+) -> Result<Lens, CommandError> {
+    Lens::new(camera, table, deflection).map_err(|problem| match problem {
         LensError::Step { .. } => CommandError::Lens {
             name: "--step".into(),
             problem,
@@ -178,7 +189,7 @@ fn stars_of(args: &StarArgs, source: &StarSource) -> Result<StarField, CommandEr
 }
 
 /// The table that the arguments name, or the built-in atlas, with its name for messages.
-fn table(args: &ViewArgs) -> Result<(Cow<'static, Table>, String), CommandError> {
+fn table(args: &LightArgs) -> Result<(Cow<'static, Table>, String), CommandError> {
     Ok(match &args.table {
         Some(path) => (
             Cow::Owned(container::read(path)?),
@@ -202,6 +213,20 @@ fn gpu(device: DeviceName) -> Result<Option<Gpu>, GpuError> {
                 Ok(None)
             }
         },
+    }
+}
+
+/// Checks that the CPU is not asked for what only a GPU has.
+fn check_device(drawing: &DrawingArgs, on_cpu: bool) -> Result<(), CommandError> {
+    if !on_cpu {
+        return Ok(());
+    }
+    if drawing.sampling == SamplingName::Anisotropic {
+        return Err(CommandError::AnisotropicOnCpu);
+    }
+    match drawing.pass.and_then(|pass| pass.to_possible_value()) {
+        Some(pass) => Err(CommandError::PassOnCpu(pass.get_name().to_owned())),
+        None => Ok(()),
     }
 }
 

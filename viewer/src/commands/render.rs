@@ -1,8 +1,7 @@
 //! `viewer render`: draws a picture to a file.
 
-use super::{CommandError, gpu_for, least, lens, renderer, spare_inputs, star_field};
-use crate::cli::{DeviceName, Exposure, MethodName, RenderArgs, SamplingName, ViewArgs};
-use clap::ValueEnum;
+use super::{CommandError, check_device, gpu_for, least, lens, renderer, spare_inputs, star_field};
+use crate::cli::{DeviceName, Exposure, LightArgs, RenderArgs};
 use lensbake_program::output::Output;
 use lensbake_program::{Outcome, Printer, Progress, message};
 use lensbake_render::filter::FilteredPixels;
@@ -20,32 +19,30 @@ use std::path::Path;
 use std::time::Instant;
 
 pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
-    let method = match args.method {
-        MethodName::Lut => Deflection::Lut,
-        MethodName::Direct => Deflection::Direct {
-            step: args.scene.view.step,
-        },
-        MethodName::Flat => Deflection::Flat,
-    };
+    let method = args.drawing.method.with_step(args.scene.view.light.step);
     let budget_px = args.budget_px.unwrap_or(DEFAULT_BUDGET_PX);
     least::check_budget(budget_px)?;
-    check_device(args, args.scene.device == DeviceName::Cpu)?;
-    let file = PictureFile::new(&args.output, &args.scene.view, args.stars.stars.as_ref())?;
+    check_device(&args.drawing, args.scene.device == DeviceName::Cpu)?;
+    let file = PictureFile::new(
+        &args.output,
+        &args.scene.view.light,
+        args.stars.stars.as_ref(),
+    )?;
     let mut lens = lens(&args.scene, method)?;
-    let sky = sky::load(&args.scene.view.sky)?;
-    let stars = star_field(&args.stars, &args.scene.view.sky)?;
+    let sky = sky::load(&args.scene.view.light.sky)?;
+    let stars = star_field(&args.stars, &args.scene.view.light.sky)?;
     let gpu = gpu_for(args.scene.device, &lens.camera)?;
-    check_device(args, gpu.is_none())?;
+    check_device(&args.drawing, gpu.is_none())?;
     let renderer = gpu
         .as_ref()
-        .map(|gpu| renderer(gpu, args.pass))
+        .map(|gpu| renderer(gpu, args.drawing.pass))
         .transpose()?;
     let mut printer = Printer::new(file.output.is_standard_output());
     let mut outcome = Outcome::Done;
     if args.explain || args.budget_px.is_some() {
         let choice = least::choice(&lens, budget_px, gpu.as_ref())?;
         if args.explain {
-            least::print(&choice, &lens, args.scene.view.step, &mut printer);
+            least::print(&choice, &lens, args.scene.view.light.step, &mut printer);
         }
         if args.budget_px.is_some() {
             if choice.chosen.is_none() {
@@ -57,7 +54,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     let (rendition, exposure) = exposed(args, &lens, file.format);
     let scene = Scene {
         lens,
-        sampling: args.sampling.into(),
+        sampling: args.drawing.sampling.into(),
         sky: sky.into(),
         stars: stars.map(Into::into),
         rendition,
@@ -79,25 +76,11 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     Ok(outcome)
 }
 
-/// Checks that the CPU is not asked for what only a GPU has.
-fn check_device(args: &RenderArgs, on_cpu: bool) -> Result<(), CommandError> {
-    if !on_cpu {
-        return Ok(());
-    }
-    if args.sampling == SamplingName::Anisotropic {
-        return Err(CommandError::AnisotropicOnCpu);
-    }
-    match args.pass.and_then(|pass| pass.to_possible_value()) {
-        Some(pass) => Err(CommandError::PassOnCpu(pass.get_name().to_owned())),
-        None => Ok(()),
-    }
-}
-
 /// The rendition of the picture, and the exposure of its file in stops. Automatic exposure is part of the rendition of a
 /// .png; an .exr keeps all light.
 fn exposed(args: &RenderArgs, lens: &Lens, format: PictureFormat) -> (Rendition, f32) {
-    let shift = args.scene.view.shift.into();
-    match args.exposure {
+    let shift = args.scene.view.light.shift.into();
+    match args.drawing.exposure {
         Exposure::Stops(stops) => (Rendition::of(shift), stops),
         Exposure::Automatic if format == PictureFormat::OpenExr => (Rendition::of(shift), 0.0),
         Exposure::Automatic => {
@@ -116,12 +99,16 @@ struct PictureFile {
 }
 
 impl PictureFile {
-    /// The output file `path`; an error if its format is unknown, or if it is one of the input files of `view` and
+    /// The output file `path`; an error if its format is unknown, or if it is one of the input files of `light` and
     /// `stars`.
-    fn new(path: &Path, view: &ViewArgs, stars: Option<&StarSource>) -> Result<Self, CommandError> {
+    fn new(
+        path: &Path,
+        light: &LightArgs,
+        stars: Option<&StarSource>,
+    ) -> Result<Self, CommandError> {
         let format = PictureFormat::of(path, PictureFormat::ALL)?;
         let output = Output::binary(path)?;
-        spare_inputs(&output, view, stars)?;
+        spare_inputs(&output, light, stars)?;
         Ok(PictureFile { format, output })
     }
 
