@@ -6,9 +6,10 @@
 
 use lensbake_core::Motion;
 use lensbake_core::geodesic::{fall_radius, fall_time};
+use lensbake_render::camera::FALL_END;
 
-/// Radius at which the fall ends: the smallest in the built-in atlas.
-pub const END: f64 = 0.01;
+/// Radius at which the fall ends.
+pub const END: f64 = FALL_END;
 
 /// The clock of a fall.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,7 +8,6 @@
 
 pub mod fall;
 pub mod frame_clock;
-mod great_circle;
 mod held_keys;
 pub mod input;
 pub mod keys;

@@ -2,14 +2,13 @@
 //! proper time.
 
 use crate::fall::{END, Fall, LetGo};
-use crate::great_circle::Place;
 use crate::motion::{self, CLOCK_RATES, ORBIT_DEG_PER_S, wrapped};
 use crate::motion_facts;
 use crate::settings::Settings;
 use crate::title;
 use lensbake_core::Motion;
 use lensbake_core::geodesic::{fall_time, orbit_rate};
-use lensbake_render::camera::View;
+use lensbake_render::camera::{Place, View};
 
 impl Settings {
     /// Proper time per second, r_s/c.

@@ -8,12 +8,14 @@
 //! any other motion is a boost relative to that observer, and view directions are mapped by the aberration first
 //! ([`Camera::unboosted`]).
 
+mod great_circle;
 mod projection;
 mod view;
 mod view_angle;
 
+pub use great_circle::Place;
 pub use projection::{CubeFace, Mapping, Projection, ViewRay};
-pub use view::{CameraError, MAX_FALL_ROW_RADIUS, MAX_RADIUS, MAX_SIDE, View};
+pub use view::{CameraError, FALL_END, MAX_FALL_ROW_RADIUS, MAX_RADIUS, MAX_SIDE, View};
 pub use view_angle::ViewAngle;
 
 use glam::{DMat3, DVec2, DVec3};

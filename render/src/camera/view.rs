@@ -61,6 +61,9 @@ pub const MAX_RADIUS: f64 = 1e6;
 /// aberration near the hole, and the fall is a boost in the shader: at this radius the row is off by 7e-7 rad.
 pub const MAX_FALL_ROW_RADIUS: f64 = 100.0;
 
+/// Radius at which a camera that falls stops, units of r_s: the smallest in the built-in atlas.
+pub const FALL_END: f64 = 0.01;
+
 /// Position, motion, orientation and picture size of a camera as a user gives them. Angles are in degrees.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {

@@ -17,6 +17,33 @@ pub struct RenderArgs {
     /// Picture to write: .png (tone-mapped sRGB) or .exr (linear light); - writes a .png to standard output.
     #[arg(short, long, value_name = "FILE", default_value = PICTURE)]
     pub output: PathBuf,
+    /// Draw with the least model (the undeflected sky or the shortest row of the table) whose error in image space
+    /// is at most this many pixels. Exit code 1 if even the whole row exceeds it.
+    #[arg(
+        long,
+        value_name = "PX",
+        conflicts_with = "method",
+        allow_negative_numbers = true
+    )]
+    pub budget_px: Option<f64>,
+    /// Print which models keep the error budget (0.1 px unless --budget-px is given), which do not, and what each
+    /// costs.
+    #[arg(long)]
+    pub explain: bool,
+    /// How it is drawn.
+    #[command(flatten)]
+    pub drawing: DrawingArgs,
+    /// The scene.
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// The stars in front of its sky.
+    #[command(flatten)]
+    pub stars: StarArgs,
+}
+
+/// How pictures are drawn.
+#[derive(Debug, Clone, Args)]
+pub struct DrawingArgs {
     /// Deflection method: table lookup, direct integration, or no deflection.
     #[arg(long, value_enum, default_value_t = MethodName::Lut)]
     pub method: MethodName,
@@ -31,28 +58,9 @@ pub struct RenderArgs {
     /// brightness of the frequency shift. An .exr is not affected.
     #[arg(long, value_name = "EV|auto", default_value = "0", allow_negative_numbers = true, value_parser = exposure)]
     pub exposure: Exposure,
-    /// Draw with the least model (the undeflected sky or the shortest row of the table) whose error in image space
-    /// is at most this many pixels. Exit code 1 if even the whole row exceeds it.
-    #[arg(
-        long,
-        value_name = "PX",
-        conflicts_with = "method",
-        allow_negative_numbers = true
-    )]
-    pub budget_px: Option<f64>,
-    /// Print which models keep the error budget (0.1 px unless --budget-px is given), which do not, and what each
-    /// costs.
-    #[arg(long)]
-    pub explain: bool,
     /// The projection.
     #[command(flatten)]
     pub projection: ProjectionArgs,
-    /// The scene.
-    #[command(flatten)]
-    pub scene: SceneArgs,
-    /// The stars in front of its sky.
-    #[command(flatten)]
-    pub stars: StarArgs,
 }
 
 /// Point stars.

@@ -6,10 +6,10 @@ mod projection;
 mod scene;
 mod values;
 
-pub use draw::{CatalogueArgs, DiffArgs, PICTURE, RenderArgs, StarArgs, WindowArgs};
+pub use draw::{CatalogueArgs, DiffArgs, DrawingArgs, PICTURE, RenderArgs, StarArgs, WindowArgs};
 pub use measure::{BenchArgs, ChartArgs, FlickerArgs, ReferenceArgs};
 pub use projection::ProjectionArgs;
-pub use scene::{DeviceName, MethodName, PassName, SamplingName, SceneArgs, ViewArgs};
+pub use scene::{DeviceName, LightArgs, MethodName, PassName, SamplingName, SceneArgs};
 pub use values::Exposure;
 
 use clap::{Parser, Subcommand};

@@ -27,7 +27,7 @@ pub struct SceneArgs {
     pub view: ViewArgs,
 }
 
-/// Position and orientation of the camera, sky, and bending table.
+/// Position and orientation of the camera, and the light that it sees.
 #[derive(Debug, Clone, Args)]
 pub struct ViewArgs {
     /// Horizontal field of view: between 0 and 180 [default: 90], of a fisheye or dome up to 360 [default: 180].
@@ -56,9 +56,6 @@ pub struct ViewArgs {
         allow_negative_numbers = true
     )]
     pub heading: f64,
-    /// What of the frequency shift (gravitational and Doppler) is shown: nothing, the brightness, or the colour as well.
-    #[arg(long, value_enum, default_value_t = ShiftName::Off)]
-    pub shift: ShiftName,
     /// Look this far to the right of the hole.
     #[arg(
         long,
@@ -108,6 +105,14 @@ pub struct ViewArgs {
         allow_hyphen_values = true
     )]
     pub hole: Option<(f64, f64)>,
+    /// Sky, table and frequency shift.
+    #[command(flatten)]
+    pub light: LightArgs,
+}
+
+/// Where light comes from, what bends it, and how it is shown.
+#[derive(Debug, Clone, Args)]
+pub struct LightArgs {
     /// Sky: `nebula`, `starmap`, `grid`, `stars` (black, with the Hipparcos stars unless --stars names others), a
     /// 2:1 panorama, or six cube faces separated by commas: right,left,top,bottom,front,back. Files are PNG, JPEG,
     /// HDR or EXR.
@@ -119,6 +124,9 @@ pub struct ViewArgs {
     /// Step of direct integration in orbital angle, in rad, from 0.001 to 0.5.
     #[arg(long, value_name = "RAD", default_value_t = Deflection::DEFAULT_STEP, allow_negative_numbers = true)]
     pub step: f64,
+    /// What of the frequency shift (gravitational and Doppler) is shown: nothing, the brightness, or the colour as well.
+    #[arg(long, value_enum, default_value_t = ShiftName::Off)]
+    pub shift: ShiftName,
 }
 
 /// Deflection method.
@@ -130,6 +138,17 @@ pub enum MethodName {
     Direct,
     /// No deflection; the horizon is a plain sphere.
     Flat,
+}
+
+impl MethodName {
+    /// The method, with this step of direct integration in rad.
+    pub fn with_step(self, step: f64) -> Deflection {
+        match self {
+            MethodName::Lut => Deflection::Lut,
+            MethodName::Direct => Deflection::Direct { step },
+            MethodName::Flat => Deflection::Flat,
+        }
+    }
 }
 
 /// What of the frequency shift is shown.

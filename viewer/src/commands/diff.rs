@@ -7,7 +7,7 @@ use glam::DVec3;
 use lensbake_core::RayOutcome;
 use lensbake_program::output::Output;
 use lensbake_program::{Outcome, Printer, Progress, message};
-use lensbake_render::camera::Projection;
+use lensbake_render::camera::{Camera, Projection};
 use lensbake_render::cpu;
 use lensbake_render::diff::{PictureDifference, Reference, TraceStatistics};
 use lensbake_render::gpu::Renderer;
@@ -22,15 +22,17 @@ use std::sync::Arc;
 pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
     least::check_budget(args.budget_px)?;
     let output = heat_map_file(args)?;
-    let step = args.scene.view.step;
     let scene = &args.scene;
+    let step = scene.view.light.step;
     let size = scene
         .size
         .unwrap_or(ProjectionArgs::default().default_size());
     let view = scene.view.view(size, Projection::Perspective);
-    let direct = lens_of(&view, Deflection::Direct { step }, &table(&scene.view)?)?;
+    let (table, name) = table(&scene.view.light)?;
+    let camera = Camera::new(&view)?;
+    let direct = lens_of(camera, &table, &name, Deflection::Direct { step })?;
     let mut lut = direct.with_deflection(Deflection::Lut);
-    let sky = Arc::new(sky::load(&args.scene.view.sky)?);
+    let sky = Arc::new(sky::load(&args.scene.view.light.sky)?);
     let gpu = gpu_for(args.scene.device, &lut.camera)?;
     let mut printer = Printer::new(false);
     let reference = with_progress(&lut, |progress| Reference::new(&lut, || progress.step()));
@@ -95,7 +97,7 @@ fn heat_map_file(args: &DiffArgs) -> Result<Output, CommandError> {
     if output.is_standard_output() {
         return Err(CommandError::ReportTakesOutput("--output"));
     }
-    spare_inputs(&output, &args.scene.view, None)?;
+    spare_inputs(&output, &args.scene.view.light, None)?;
     Ok(output)
 }
 

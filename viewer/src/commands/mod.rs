@@ -10,11 +10,12 @@ pub mod reference;
 pub mod render;
 pub mod window;
 
-use crate::cli::{DeviceName, PassName, StarArgs, ViewArgs};
+use crate::cli::{DeviceName, DrawingArgs, LightArgs, PassName, SamplingName, StarArgs};
+use clap::ValueEnum;
 use lensbake_core::CoreError;
 use lensbake_program::output::{Output, OutputError};
 use lensbake_program::{PrintError, message};
-use lensbake_render::camera::{Camera, CameraError, View};
+use lensbake_render::camera::{Camera, CameraError};
 use lensbake_render::gpu::{Gpu, GpuError, Pass, Renderer};
 use lensbake_render::lens::{Deflection, Lens, LensError};
 use lensbake_render::model::Precision;
@@ -131,14 +132,14 @@ fn flag_of(error: &CameraError) -> String {
     }
 }
 
-/// Checks that `output` overwrites none of the input files of `view` and `stars`.
+/// Checks that `output` overwrites none of the input files of `light` and `stars`.
 fn spare_inputs(
     output: &Output,
-    view: &ViewArgs,
+    light: &LightArgs,
     stars: Option<&StarSource>,
 ) -> Result<(), OutputError> {
-    let table = view.table.iter().map(PathBuf::as_path);
-    let sky = view.sky.files().iter().map(PathBuf::as_path);
+    let table = light.table.iter().map(PathBuf::as_path);
+    let sky = light.sky.files().iter().map(PathBuf::as_path);
     let stars = match stars {
         Some(StarSource::File(path)) => Some(path.as_path()),
         Some(StarSource::Hipparcos) | None => None,
@@ -149,20 +150,20 @@ fn spare_inputs(
         .try_for_each(|input| output.spares(input))
 }
 
-/// The lens of a view, as the arguments describe it, through the table with this name for messages.
+/// The lens of `camera` with `table`, whose name in messages is `name`.
 fn lens_of(
-    view: &View,
+    camera: Camera,
+    table: &Table,
+    name: &str,
     deflection: Deflection,
-    (table, name): &(Cow<Table>, String),
 ) -> Result<Lens, CommandError> {
-    let camera = Camera::new(view)?;
     Lens::new(camera, table, deflection).map_err(|problem| match problem {
         LensError::Step { .. } => CommandError::Lens {
             name: "--step".into(),
             problem,
         },
         _ => CommandError::Lens {
-            name: name.clone(),
+            name: name.to_owned(),
             problem,
         },
     })
@@ -188,7 +189,7 @@ fn stars_of(args: &StarArgs, source: &StarSource) -> Result<StarField, CommandEr
 }
 
 /// The table that the arguments name, or the built-in atlas, with its name for messages.
-fn table(args: &ViewArgs) -> Result<(Cow<'static, Table>, String), CommandError> {
+fn table(args: &LightArgs) -> Result<(Cow<'static, Table>, String), CommandError> {
     Ok(match &args.table {
         Some(path) => (
             Cow::Owned(container::read(path)?),
@@ -212,6 +213,20 @@ fn gpu(device: DeviceName) -> Result<Option<Gpu>, GpuError> {
                 Ok(None)
             }
         },
+    }
+}
+
+/// Checks that the CPU is not asked for what only a GPU has.
+fn check_device(drawing: &DrawingArgs, on_cpu: bool) -> Result<(), CommandError> {
+    if !on_cpu {
+        return Ok(());
+    }
+    if drawing.sampling == SamplingName::Anisotropic {
+        return Err(CommandError::AnisotropicOnCpu);
+    }
+    match drawing.pass.and_then(|pass| pass.to_possible_value()) {
+        Some(pass) => Err(CommandError::PassOnCpu(pass.get_name().to_owned())),
+        None => Ok(()),
     }
 }
 

@@ -1,10 +1,12 @@
 //! `viewer render`: draws a picture to a file.
 
-use super::{CommandError, gpu_for, least, lens_of, renderer, spare_inputs, star_field, table};
-use crate::cli::{DeviceName, Exposure, MethodName, RenderArgs, SamplingName, ViewArgs};
-use clap::ValueEnum;
+use super::{
+    CommandError, check_device, gpu_for, least, lens_of, renderer, spare_inputs, star_field, table,
+};
+use crate::cli::{DeviceName, Exposure, LightArgs, RenderArgs};
 use lensbake_program::output::Output;
 use lensbake_program::{Outcome, Printer, Progress, message};
+use lensbake_render::camera::Camera;
 use lensbake_render::filter::FilteredPixels;
 use lensbake_render::gpu::{GpuError, Renderer};
 use lensbake_render::lens::{Deflection, Lens};
@@ -21,24 +23,19 @@ use std::sync::Arc;
 use std::time::Instant;
 
 pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
-    let method = match args.method {
-        MethodName::Lut => Deflection::Lut,
-        MethodName::Direct => Deflection::Direct {
-            step: args.scene.view.step,
-        },
-        MethodName::Flat => Deflection::Flat,
-    };
+    let method = args.drawing.method.with_step(args.scene.view.light.step);
     let budget_px = args.budget_px.unwrap_or(DEFAULT_BUDGET_PX);
     least::check_budget(budget_px)?;
-    check_device(args, args.scene.device == DeviceName::Cpu)?;
+    check_device(&args.drawing, args.scene.device == DeviceName::Cpu)?;
     let jobs = jobs(args, method)?;
-    let sky = sky::load(&args.scene.view.sky)?;
-    let stars = star_field(&args.stars, &args.scene.view.sky)?;
+    let light = &args.scene.view.light;
+    let sky = sky::load(&light.sky)?;
+    let stars = star_field(&args.stars, &light.sky)?;
     let gpu = gpu_for(args.scene.device, &jobs[0].lens.camera)?;
-    check_device(args, gpu.is_none())?;
+    check_device(&args.drawing, gpu.is_none())?;
     let renderer = gpu
         .as_ref()
-        .map(|gpu| renderer(gpu, args.pass))
+        .map(|gpu| renderer(gpu, args.drawing.pass))
         .transpose()?;
     let mut printer = Printer::new(jobs[0].file.output.is_standard_output());
     let (sky, stars) = (Arc::new(sky), stars.map(Arc::new));
@@ -47,7 +44,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
         if args.explain || args.budget_px.is_some() {
             let choice = least::choice(&lens, budget_px, gpu.as_ref())?;
             if args.explain {
-                least::print(&choice, &lens, args.scene.view.step, &mut printer);
+                least::print(&choice, &lens, light.step, &mut printer);
             }
             if args.budget_px.is_some() {
                 if choice.chosen.is_none() {
@@ -59,7 +56,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
         let (rendition, exposure) = exposed(args, &lens, file.format);
         let scene = Scene {
             lens,
-            sampling: args.sampling.into(),
+            sampling: args.drawing.sampling.into(),
             sky: sky.clone(),
             stars: stars.clone(),
             rendition,
@@ -80,14 +77,13 @@ struct Job {
 
 /// The pictures that the arguments ask for: one, or the six faces of a cube.
 fn jobs(args: &RenderArgs, method: Deflection) -> Result<Vec<Job>, CommandError> {
-    let RenderArgs {
-        projection, scene, ..
-    } = args;
+    let (projection, scene) = (args.drawing.projection, &args.scene);
     projection
         .check(scene.view.fov.is_some())
         .map_err(CommandError::Projection)?;
     let size = scene.size.unwrap_or(projection.default_size());
-    let table = table(&scene.view)?;
+    let light = &scene.view.light;
+    let (table, name) = table(light)?;
     let job = |(ending, projection)| {
         let path = match ending {
             Some(ending) => named(&args.output, ending)?,
@@ -95,8 +91,8 @@ fn jobs(args: &RenderArgs, method: Deflection) -> Result<Vec<Job>, CommandError>
         };
         let view = scene.view.view(size, projection);
         Ok(Job {
-            file: PictureFile::new(&path, &scene.view, args.stars.stars.as_ref())?,
-            lens: lens_of(&view, method, &table)?,
+            file: PictureFile::new(&path, light, args.stars.stars.as_ref())?,
+            lens: lens_of(Camera::new(&view)?, &table, &name, method)?,
         })
     };
     projection.all().into_iter().map(job).collect()
@@ -141,25 +137,11 @@ fn picture(
     Ok(lost.is_none())
 }
 
-/// Checks that the CPU is not asked for what only a GPU has.
-fn check_device(args: &RenderArgs, on_cpu: bool) -> Result<(), CommandError> {
-    if !on_cpu {
-        return Ok(());
-    }
-    if args.sampling == SamplingName::Anisotropic {
-        return Err(CommandError::AnisotropicOnCpu);
-    }
-    match args.pass.and_then(|pass| pass.to_possible_value()) {
-        Some(pass) => Err(CommandError::PassOnCpu(pass.get_name().to_owned())),
-        None => Ok(()),
-    }
-}
-
 /// The rendition of the picture, and the exposure of its file in stops. Automatic exposure is part of the rendition of a
 /// .png; an .exr keeps all light.
 fn exposed(args: &RenderArgs, lens: &Lens, format: PictureFormat) -> (Rendition, f32) {
-    let shift = args.scene.view.shift.into();
-    match args.exposure {
+    let shift = args.scene.view.light.shift.into();
+    match args.drawing.exposure {
         Exposure::Stops(stops) => (Rendition::of(shift), stops),
         Exposure::Automatic if format == PictureFormat::OpenExr => (Rendition::of(shift), 0.0),
         Exposure::Automatic => {
@@ -178,12 +160,16 @@ struct PictureFile {
 }
 
 impl PictureFile {
-    /// The output file `path`; an error if its format is unknown, or if it is one of the input files of `view` and
+    /// The output file `path`; an error if its format is unknown, or if it is one of the input files of `light` and
     /// `stars`.
-    fn new(path: &Path, view: &ViewArgs, stars: Option<&StarSource>) -> Result<Self, CommandError> {
+    fn new(
+        path: &Path,
+        light: &LightArgs,
+        stars: Option<&StarSource>,
+    ) -> Result<Self, CommandError> {
         let format = PictureFormat::of(path, PictureFormat::ALL)?;
         let output = Output::binary(path)?;
-        spare_inputs(&output, view, stars)?;
+        spare_inputs(&output, light, stars)?;
         Ok(PictureFile { format, output })
     }
 

@@ -3,8 +3,8 @@
 
 use super::{CommandError, render, stars_of, table};
 use crate::cli::{
-    DeviceName, Exposure, MethodName, PICTURE, ProjectionArgs, RenderArgs, SamplingName, SceneArgs,
-    WindowArgs,
+    DeviceName, DrawingArgs, Exposure, MethodName, PICTURE, ProjectionArgs, RenderArgs,
+    SamplingName, SceneArgs, WindowArgs,
 };
 use lensbake_program::{Outcome, message};
 use lensbake_render::camera::{Camera, Projection};
@@ -16,7 +16,7 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
     let view = args.view.view(args.size, Projection::Perspective);
     // Checked here so that the error names the flag; the window knows no flags.
     Camera::new(&view)?;
-    let step = args.view.step;
+    let step = args.view.light.step;
     Deflection::check_step(step).map_err(|problem| CommandError::Lens {
         name: "--step".into(),
         problem,
@@ -24,12 +24,12 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
     // The Hipparcos stars unless others are named: the window always offers the sky `stars`.
     let source = args.stars.stars.clone();
     let stars = stars_of(&args.stars, &source.unwrap_or(StarSource::Hipparcos))?;
-    let (table, table_name) = table(&args.view)?;
+    let (table, table_name) = table(&args.view.light)?;
     let ended = window::run(Options {
         view,
         step,
-        shift: args.view.shift.into(),
-        sky: args.view.sky.clone(),
+        shift: args.view.light.shift.into(),
+        sky: args.view.light.sky.clone(),
         stars,
         stars_everywhere: args.stars.stars.is_some(),
         table: table.into_owned(),
@@ -52,13 +52,15 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
 fn instead(args: &WindowArgs) -> RenderArgs {
     RenderArgs {
         output: PICTURE.into(),
-        method: MethodName::Lut,
-        sampling: SamplingName::Filtered,
-        pass: args.pass,
-        exposure: Exposure::Stops(0.0),
         budget_px: None,
         explain: false,
-        projection: ProjectionArgs::default(),
+        drawing: DrawingArgs {
+            method: MethodName::Lut,
+            sampling: SamplingName::Filtered,
+            pass: args.pass,
+            exposure: Exposure::Stops(0.0),
+            projection: ProjectionArgs::default(),
+        },
         scene: SceneArgs {
             size: Some(args.size),
             device: DeviceName::Auto,

@@ -66,8 +66,8 @@ impl Place {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::camera::{Camera, View};
     use lensbake_core::Motion;
-    use lensbake_render::camera::{Camera, View};
     use proptest::prelude::*;
 
     fn place(longitude_deg: f64, latitude_deg: f64, heading_deg: f64) -> Place {
