@@ -78,6 +78,14 @@ pub enum Command {
     ToggleFullscreen,
     /// Write a screenshot to a file.
     Screenshot,
+    /// Set a keyframe of the path.
+    SetKeyframe,
+    /// Take the last keyframe back.
+    TakeKeyframeBack,
+    /// Play the path, or stop it.
+    PlayPath,
+    /// Write the path to a file.
+    SavePath,
     /// Leave the help, else full screen, else the program.
     Leave,
 }
@@ -278,6 +286,22 @@ pub const BINDINGS: &[Binding] = &[
         "screenshot to the current folder",
     ),
     binding(
+        &[
+            pressed(Code::KeyK, Command::SetKeyframe),
+            pressed(Code::KeyU, Command::TakeKeyframeBack),
+        ],
+        "K, U",
+        "set a keyframe of a path; take the last one back",
+    ),
+    binding(
+        &[
+            pressed(Code::KeyJ, Command::PlayPath),
+            pressed(Code::KeyN, Command::SavePath),
+        ],
+        "J, N",
+        "play the path, or stop; save it for `viewer film`",
+    ),
+    binding(
         &[changes(Code::Tab, Change::TogglePanel)],
         "Tab",
         "panel on or off",
@@ -303,7 +327,7 @@ pub const MOUSE: &[(&str, &str)] = &[
     ("right drag", "go round the hole"),
     ("scroll", "nearer, farther"),
     ("Ctrl + scroll", "smaller, larger field of view"),
-    ("drop a file", "a panorama or a bending table"),
+    ("drop a file", "a panorama, a bending table or a path"),
 ];
 
 /// The action bound to a key, if any.

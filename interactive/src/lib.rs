@@ -18,6 +18,7 @@ pub mod motion_facts;
 pub mod panel_info;
 pub mod parameters;
 pub mod plan;
+pub mod recording;
 mod render_pass;
 pub mod resolution;
 pub mod screenshot;

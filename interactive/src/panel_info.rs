@@ -21,6 +21,8 @@ pub struct PanelInfo {
     pub table_error: Option<f64>,
     /// Upper bound on the rounding error of the GPU's 32-bit floats, pixels.
     pub rounding_px: f64,
+    /// The path of the camera in a few words, and whether it plays.
+    pub path: (String, bool),
     /// Why the radius is fixed, if it is.
     pub held_radius: Option<String>,
     /// Name of the GPU adapter.

@@ -5,6 +5,7 @@ use crate::input::Input;
 use crate::meter::Meter;
 use crate::panel_info::PanelInfo;
 use crate::plan::{Plan, scaled};
+use crate::recording::Recording;
 use crate::resolution::{AutoScale, Resolution};
 use crate::skies::{Selected, Skies};
 use crate::stage::Stage;
@@ -26,6 +27,8 @@ pub struct Session {
     pub stars_everywhere: bool,
     /// The scale of the automatic resolution.
     pub auto: AutoScale,
+    /// The path of the camera.
+    pub recording: Recording,
     skies: Skies,
     stars: Option<StarField>,
     stars_on_device: Option<StarsOnDevice>,
@@ -44,6 +47,7 @@ impl Session {
             stage,
             stars_everywhere: false,
             auto: AutoScale::default(),
+            recording: Recording::default(),
             skies: Skies::new(source, sky),
             stars: None,
             stars_on_device: None,
@@ -123,9 +127,21 @@ impl Session {
     pub fn advance(&mut self, input: &mut Input, now: Duration) -> (bool, Option<String>) {
         let settings = &mut self.state.settings;
         let held = input.steer(&mut settings.view, now);
-        let moving = held || settings.moves();
-        let since = self.clock.begin(now, moving);
-        (moving, settings.advance(since.as_secs_f64()))
+        let moving = held || settings.moves() || self.recording.plays();
+        let seconds = self.clock.begin(now, moving).as_secs_f64();
+        let plays = self.recording.plays();
+        let said = self.recording.advance(settings, seconds);
+        let said = match plays {
+            true => said,
+            false => settings.advance(seconds),
+        };
+        (moving, said)
+    }
+
+    /// Adds a keyframe for the camera as it is now. Returns a message.
+    pub fn set_keyframe(&mut self) -> String {
+        let set = self.recording.set_keyframe(&self.state.settings);
+        set.unwrap_or_else(|problem| problem)
     }
 
     /// Whether something moved in the last frame.
@@ -187,6 +203,7 @@ impl Session {
             table: table.short_name(),
             table_error: table.error_at(self.state.settings.view.radius),
             rounding_px: Precision::F32.rounding_px(&plan.window),
+            path: (self.recording.summary(), self.recording.plays()),
             held_radius: self.state.held_radius(),
             adapter: self.stage.gpu().name(),
         }

@@ -391,3 +391,35 @@ fn files_are_dropped() {
     window.shows("the coarse atlas' picture", |shot| alike(shot, &coarse));
     assert!(!window.stderr().contains("panicked"), "{}", window.stderr());
 }
+
+#[test]
+#[cfg_attr(any(feature = "no-gpu", feature = "no-window"), ignore)]
+fn a_path_is_recorded_played_saved_and_played_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let desktop = Desktop::new(1280, 800);
+    let (mut window, start) = open(&desktop, folder, &["-s", "grid", "-r", "10"]);
+    window.press(&["k"]);
+    window.hold("Up", Duration::from_millis(600));
+    let near = window.at_rest();
+    assert_ne!(scene(&near), scene(&start));
+    let end = radius(&window.title());
+    window.press(&["k", "j"]);
+    window.until("it plays from the start", |w| {
+        (radius(&w.title()) > end + 0.5).then_some(())
+    });
+    window.until("it ends where the second keyframe is", |w| {
+        (radius(&w.title()) == end).then_some(())
+    });
+    assert!(alike(&window.at_rest(), &near));
+    window.press(&["n"]);
+    let file = folder.join("lensbake-path-1.json");
+    window.until("the path is saved", |_| file.exists().then_some(()));
+    drop(window);
+
+    // The same path from its file; what comes after it is where it ends.
+    let args = ["-s", "grid", "--play", file.to_str().unwrap()];
+    let (again, last) = open(&desktop, folder, &args);
+    assert!(alike(&last, &near));
+    assert_eq!(radius(&again.title()), end);
+}

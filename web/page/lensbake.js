@@ -35,7 +35,7 @@ const MOST_BYTES = 512 * 1024 * 1024;
  * - `progress(loaded, total)`: called while the module loads, bytes; `total` is 0 if unknown;
  * - `message(text)`: called with what the user should know;
  * - `drawn()`: called after each frame;
- * - `command(name)`: called for the keys that a page answers: 'full-screen', 'screenshot', 'leave';
+ * - `command(name)`: called for the keys that a page answers: 'full-screen', 'screenshot', 'save-path', 'leave';
  * - `failed(reason)`: called when nothing can be drawn any more.
  *
  * Rejects if neither WebGPU nor WebGL2 can draw here.
@@ -424,6 +424,7 @@ class View {
             openFile: (file) => this.openFile(file),
             /** The picture as a PNG: a promise of a Blob. */
             screenshot: () => this.screenshot(),
+            path: () => this.viewer?.path,
             /** Draws the picture `count` times without showing it: a promise of the time of each, ms. */
             time: (count) => this.time(count),
             /** Draws a frame, even if nothing changed. */

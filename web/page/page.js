@@ -48,6 +48,7 @@ function command(name) {
     const does = {
         'full-screen': toggleFullScreen,
         screenshot,
+        'save-path': savePath,
         leave: () => document.fullscreenElement && document.exitFullscreen(),
     };
     does[name]?.();
@@ -62,16 +63,31 @@ function toggleFullScreen() {
     shown.catch((error) => messages.say(`No full screen: ${error.message}`));
 }
 
+/** Saves a blob as a download of this name. */
+function save(blob, name) {
+    const url = URL.createObjectURL(blob);
+    const link = document.createElement('a');
+    link.href = url;
+    link.download = name;
+    link.click();
+    messages.say(`saved ${name}`);
+    setTimeout(() => URL.revokeObjectURL(url), 60000);
+}
+
+function savePath() {
+    const path = view.path();
+    if (path === undefined) {
+        messages.say('there is no path to save: K sets a keyframe');
+    } else {
+        save(new Blob([path], { type: 'application/json' }), 'lensbake-path.json');
+    }
+}
+
 async function screenshot() {
     try {
-        const url = URL.createObjectURL(await view.screenshot());
+        const picture = await view.screenshot();
         pictures += 1;
-        const link = document.createElement('a');
-        link.href = url;
-        link.download = `lensbake-${pictures}.png`;
-        link.click();
-        messages.say(`saved ${link.download}`);
-        setTimeout(() => URL.revokeObjectURL(url), 60000);
+        save(picture, `lensbake-${pictures}.png`);
     } catch (error) {
         messages.say(`No picture: ${error.message}`);
     }

@@ -87,6 +87,28 @@ const checks = {
         return page;
     },
 
+    /** Keyframes are set, played and saved. */
+    async 'path'() {
+        const page = await opened();
+        await page.keyboard.press('k');
+        await page.keyboard.down('ArrowUp');
+        await page.waitForTimeout(500);
+        await page.keyboard.up('ArrowUp');
+        await settled(page);
+        const near = await number(page, 'radius');
+        await page.keyboard.press('k');
+        await page.keyboard.press('j');
+        await until(page, (near) => Number(window.lensbake.get('radius')) > near + 1, near);
+        await until(page, () => document.getElementById('message').textContent.includes('the end of the path'));
+        assert.ok(Math.abs((await number(page, 'radius')) - near) < 1e-6);
+        const download = page.waitForEvent('download');
+        await page.keyboard.press('n');
+        const path = JSON.parse((await import('node:fs')).readFileSync(await (await download).path(), 'utf8'));
+        assert.deepEqual(path.keyframes.map(({ time }) => time), [0, 3]);
+        assert.equal(path.keyframes[0].radius, 25);
+        return page;
+    },
+
     /** A key that is released while Control is held, or after the focus has moved, moves nothing any more. */
     async 'released keys'() {
         const page = await opened();

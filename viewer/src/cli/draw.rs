@@ -126,6 +126,9 @@ pub struct WindowArgs {
     /// Fill the screen.
     #[arg(long)]
     pub fullscreen: bool,
+    /// Play a path of the camera: a JSON file of keyframes, as `viewer film` takes it.
+    #[arg(long, value_name = "FILE")]
+    pub play: Option<PathBuf>,
     /// Kind of passes in which the GPU draws [default: compute, where the GPU has compute shaders].
     #[arg(long, value_enum)]
     pub pass: Option<PassName>,

@@ -13,6 +13,7 @@ pub mod window;
 use crate::cli::{DeviceName, DrawingArgs, LightArgs, PassName, SamplingName, StarArgs};
 use clap::ValueEnum;
 use lensbake_core::CoreError;
+use lensbake_film::PathFileError;
 use lensbake_program::output::{Output, OutputError};
 use lensbake_program::{PrintError, message};
 use lensbake_render::camera::{Camera, CameraError};
@@ -78,6 +79,9 @@ pub enum CommandError {
     /// The study of flicker failed.
     #[error(transparent)]
     Flicker(#[from] FlickerError),
+    /// A path of the camera cannot be read.
+    #[error(transparent)]
+    Path(#[from] PathFileError),
     /// The window failed.
     #[error(transparent)]
     Window(#[from] WindowError),

@@ -24,6 +24,7 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
     // The Hipparcos stars unless others are named: the window always offers the sky `stars`.
     let source = args.stars.stars.clone();
     let stars = stars_of(&args.stars, &source.unwrap_or(StarSource::Hipparcos))?;
+    let path = args.play.as_deref().map(lensbake_film::read).transpose()?;
     let (table, table_name) = table(&args.view.light)?;
     let ended = window::run(Options {
         view,
@@ -32,6 +33,7 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
         sky: args.view.light.sky.clone(),
         stars,
         stars_everywhere: args.stars.stars.is_some(),
+        path: path.map(|(path, _)| path),
         table: table.into_owned(),
         table_name,
         fullscreen: args.fullscreen,

@@ -3,6 +3,7 @@
 use super::error::WindowError;
 use super::event::AppEvent;
 use super::open_window::{OpenWindow, Start};
+use lensbake_film::FlightPath;
 use lensbake_interactive::settings::Settings;
 use lensbake_interactive::state::{NamedTable, Refusal, State};
 use lensbake_render::camera::{Camera, View};
@@ -31,6 +32,8 @@ pub struct Options {
     pub stars: StarField,
     /// Whether the stars are drawn in front of every sky, not only of the sky `stars`.
     pub stars_everywhere: bool,
+    /// A path of the camera, which plays at once.
+    pub path: Option<FlightPath>,
     /// The bending table.
     pub table: Table,
     /// Name of the table.
@@ -70,6 +73,7 @@ pub fn run(options: Options) -> Result<(), WindowError> {
             source: options.sky,
             stars: options.stars,
             stars_everywhere: options.stars_everywhere,
+            path: options.path,
         }),
         open: None,
         error: None,

@@ -6,7 +6,7 @@ use egui::{
     Align2, ComboBox, Context, Grid, Id, Label, RichText, ScrollArea, Slider, Ui, Vec2, Window,
     vec2,
 };
-use lensbake_interactive::keys::{BINDINGS, MOUSE};
+use lensbake_interactive::keys::{BINDINGS, Command, MOUSE};
 use lensbake_interactive::motion::FIELDS_OF_VIEW;
 use lensbake_interactive::panel_info::PanelInfo;
 use lensbake_interactive::resolution::Resolution;
@@ -33,6 +33,8 @@ pub struct PanelAction {
     pub sky: Option<usize>,
     /// Whether to reset to the start.
     pub reset: bool,
+    /// A command of the path of the camera.
+    pub path: Option<Command>,
 }
 
 /// Lays out the panel and the help, each if it is shown.
@@ -61,6 +63,8 @@ fn panel(context: &Context, settings: &mut Settings, facts: &PanelInfo) -> Panel
                 ui.separator();
                 costs(ui, facts);
                 ui.separator();
+                action.path = path(ui, facts);
+                ui.separator();
                 ui.horizontal(|ui| {
                     action.reset = ui.button("Reset").clicked();
                     ui.toggle_value(&mut settings.help, "Keys (H)");
@@ -69,6 +73,35 @@ fn panel(context: &Context, settings: &mut Settings, facts: &PanelInfo) -> Panel
             });
         });
     action
+}
+
+/// Adds the buttons of the path of the camera; returns the command of the one that is clicked.
+fn path(ui: &mut Ui, facts: &PanelInfo) -> Option<Command> {
+    let (summary, plays) = &facts.path;
+    let play = if *plays { "Stop" } else { "Play" };
+    let buttons = [
+        (
+            "Keyframe",
+            Command::SetKeyframe,
+            "K: adds a keyframe of the camera as it is",
+        ),
+        (play, Command::PlayPath, "J: flies along the keyframes"),
+        (
+            "Save",
+            Command::SavePath,
+            "N: writes the path for viewer film",
+        ),
+    ];
+    let mut clicked = None;
+    ui.horizontal(|ui| {
+        for (name, command, does) in buttons {
+            if ui.button(name).on_hover_text(does).clicked() {
+                clicked = Some(command);
+            }
+        }
+        ui.weak(summary);
+    });
+    clicked
 }
 
 /// Adds `contents` at its own size, or with scroll bars if the window is too small for it; with scroll bars it is
@@ -302,6 +335,7 @@ mod tests {
             table: format!("{name}.lbt"),
             table_error: None,
             rounding_px: 0.01,
+            path: ("no keyframes".into(), false),
             held_radius: None,
             adapter: "none".into(),
         };

@@ -1,4 +1,4 @@
-//! Files dropped on the window: a table or a sky, distinguished by content.
+//! Files dropped on the window: a table or a sky, distinguished by content, or a path of the camera (.json).
 
 use super::event::AppEvent;
 use lensbake_render::sky::{self, SkySource};
@@ -15,6 +15,15 @@ pub fn read(path: PathBuf, proxy: EventLoopProxy<AppEvent>) {
 }
 
 fn open(path: PathBuf) -> AppEvent {
+    if path
+        .extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("json"))
+    {
+        return match lensbake_film::read(&path) {
+            Ok((flight_path, _)) => AppEvent::Path(path, flight_path),
+            Err(error) => AppEvent::Refused(error.to_string()),
+        };
+    }
     let error = match container::read(&path) {
         Ok(table) => return AppEvent::Table(path, Box::new(table)),
         Err(error) => error,

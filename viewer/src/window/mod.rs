@@ -15,7 +15,8 @@ mod motion_controls;
 mod open_window;
 mod pace;
 mod panel;
-mod screenshot;
+mod path;
+mod saved;
 #[cfg(test)]
 mod state_motion_tests;
 #[cfg(test)]

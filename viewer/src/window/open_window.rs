@@ -5,7 +5,8 @@ use super::event::AppEvent;
 use super::input::WindowInput;
 use super::pace::{AfterFrame, Pace};
 use super::panel::Panel;
-use super::{WindowError, files, screenshot};
+use super::{WindowError, files, path, saved};
+use lensbake_film::FlightPath;
 use lensbake_interactive::input::Reaction;
 use lensbake_interactive::keys::Command;
 use lensbake_interactive::plan::Plan;
@@ -44,6 +45,8 @@ pub struct Start {
     pub stars: StarField,
     /// Whether the stars are drawn in front of every sky, not only of the sky `stars`.
     pub stars_everywhere: bool,
+    /// A path of the camera, which plays at once.
+    pub path: Option<FlightPath>,
 }
 
 /// The window while it is open.
@@ -89,7 +92,7 @@ impl OpenWindow {
         session.stars_everywhere = start.stars_everywhere;
         session.set_stars(start.stars);
         window.request_redraw();
-        Ok(OpenWindow {
+        let mut open = OpenWindow {
             window,
             session,
             panel,
@@ -98,7 +101,11 @@ impl OpenWindow {
             opened: Instant::now(),
             title: String::new(),
             pace: Pace::default(),
-        })
+        };
+        if let Some(path) = start.path {
+            open.take_path(path, "the path");
+        }
+        Ok(open)
     }
 
     /// When the next frame is due, if one is.
@@ -167,6 +174,7 @@ impl OpenWindow {
                     Err(refusal) => self.refuse(refusal.to_string()),
                 }
             }
+            AppEvent::Path(file, path) => self.take_path(path, &file.display().to_string()),
             AppEvent::Refused(why) => self.refuse(why),
         }
         self.redraw();
@@ -178,6 +186,10 @@ impl OpenWindow {
             Command::Reset => self.reset(),
             Command::ToggleFullscreen => self.toggle_fullscreen(),
             Command::Screenshot => self.screenshot()?,
+            Command::SetKeyframe
+            | Command::TakeKeyframeBack
+            | Command::PlayPath
+            | Command::SavePath => self.obey_path(command),
             Command::Leave if self.session.state.settings.help => {
                 self.session.state.settings.help = false
             }
@@ -208,13 +220,33 @@ impl OpenWindow {
         };
         let screenshot = self.session.stage.screenshot(&plan);
         let pixels = block_on(screenshot.read())?;
-        match screenshot::write(screenshot.size(), &pixels) {
+        match saved::screenshot(screenshot.size(), &pixels) {
             Ok(path) => {
                 self.panel.say(format!("wrote {}", path.display()));
             }
             Err(error) => self.refuse(error.to_string()),
         }
         Ok(())
+    }
+
+    /// Runs a command of the path of the camera.
+    fn obey_path(&mut self, command: Command) {
+        match path::obey(&mut self.session, command) {
+            Ok(said) => {
+                self.panel.say(said);
+            }
+            Err(error) => self.refuse(error.to_string()),
+        }
+    }
+
+    /// Replaces the path of the camera and plays it.
+    fn take_path(&mut self, path: FlightPath, name: &str) {
+        match self.session.recording.take(path) {
+            Ok(said) => {
+                self.panel.say(said);
+            }
+            Err(problem) => self.refuse(format!("{name}: {problem}")),
+        }
     }
 
     /// Uploads a sky, and shows it if the user dropped it or still has it selected.
@@ -344,6 +376,10 @@ impl OpenWindow {
         }
         if action.reset {
             self.reset();
+            self.redraw();
+        }
+        if let Some(command) = action.path {
+            self.obey_path(command);
             self.redraw();
         }
     }

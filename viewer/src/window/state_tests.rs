@@ -217,6 +217,7 @@ fn facts(state: &State) -> PanelInfo {
         table: state.table().short_name(),
         table_error: Some(1e-7),
         rounding_px: 1e-3,
+        path: ("2 keyframes, 3.0 s".into(), true),
         held_radius: state.held_radius(),
         adapter: "none".into(),
     }

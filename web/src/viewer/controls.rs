@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 impl Viewer {
     /// Handles a key by the name of its place, `KeyboardEvent.code`: `change` is `pressed`, `repeated` or `released`.
-    /// Returns what the page has to do: `redraw`, `full-screen`, `screenshot` or `leave`; an empty text if there is nothing
+    /// Returns what the page has to do: `redraw`, `full-screen`, `screenshot`, `save-path` or `leave`; an empty text if there is nothing
     /// to do, and `None` if the key is not bound to anything.
     pub fn key(&mut self, code: &str, change: &str, now: f64) -> Option<String> {
         let code: Code = code.parse().ok()?;
@@ -32,11 +32,34 @@ impl Viewer {
                 self.reset();
                 "redraw"
             }
+            Reaction::Command(Command::SetKeyframe) => {
+                let said = self.session.set_keyframe();
+                self.say(said);
+                "redraw"
+            }
+            Reaction::Command(Command::TakeKeyframeBack) => {
+                let said = self.session.recording.take_back();
+                self.say(said);
+                "redraw"
+            }
+            Reaction::Command(Command::PlayPath) => {
+                let said = self.session.recording.play_or_stop();
+                self.say(said);
+                "redraw"
+            }
+            Reaction::Command(Command::SavePath) => "save-path",
             Reaction::Command(Command::ToggleFullscreen) => "full-screen",
             Reaction::Command(Command::Screenshot) => "screenshot",
             Reaction::Command(Command::Leave) => "leave",
         };
         Some(does.to_owned())
+    }
+
+    /// The path of the camera as JSON, as `viewer film` takes it; nothing before the first keyframe.
+    #[wasm_bindgen(getter)]
+    pub fn path(&self) -> Option<String> {
+        let path = self.session.recording.path();
+        (!path.keyframes.is_empty()).then(|| path.to_json())
     }
 
     /// The keys and what they do, and the same for the pointer: names and descriptions in turn.
