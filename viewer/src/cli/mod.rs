@@ -1,12 +1,17 @@
 //! The command line.
 
 mod draw;
+mod like;
 mod measure;
+mod read;
+mod recorded;
 mod scene;
 mod values;
 
-pub use draw::{CatalogueArgs, DiffArgs, PICTURE, RenderArgs, StarArgs, WindowArgs};
+pub use draw::{CatalogueArgs, DiffArgs, LayerName, PICTURE, RenderArgs, StarArgs, WindowArgs};
 pub use measure::{BenchArgs, ChartArgs, FlickerArgs, ReferenceArgs};
+pub use read::read;
+pub use recorded::{ATTRIBUTE, RecordedOptions};
 pub use scene::{DeviceName, MethodName, PassName, SamplingName, SceneArgs, ViewArgs};
 pub use values::Exposure;
 

@@ -1,22 +1,24 @@
 //! `viewer render`: draws a picture to a file.
 
-use super::{CommandError, gpu_for, least, lens, renderer, spare_inputs, star_field};
-use crate::cli::{DeviceName, Exposure, MethodName, RenderArgs, SamplingName, ViewArgs};
+use super::metadata::{self, TableFacts};
+use super::{CommandError, gpu_for, least, lens_of, renderer, spare_inputs, star_field, table};
+use crate::cli::{DeviceName, Exposure, LayerName, MethodName, RenderArgs, SamplingName};
 use clap::ValueEnum;
 use lensbake_program::output::Output;
 use lensbake_program::{Outcome, Printer, Progress, message};
+use lensbake_render::camera::Camera;
 use lensbake_render::filter::FilteredPixels;
 use lensbake_render::gpu::{GpuError, Renderer};
+use lensbake_render::layers::{self, Channel, Layer};
 use lensbake_render::lens::{Deflection, Lens};
 use lensbake_render::model::DEFAULT_BUDGET_PX;
+use lensbake_render::openexr;
 use lensbake_render::picture::{Picture, PictureFormat, WithoutValue};
 use lensbake_render::scene::{Sampling, Scene};
 use lensbake_render::shift::Rendition;
 use lensbake_render::sky;
-use lensbake_render::stars::StarSource;
 use lensbake_render::{cpu, exposure};
 use pollster::block_on;
-use std::path::Path;
 use std::time::Instant;
 
 pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
@@ -30,8 +32,11 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     let budget_px = args.budget_px.unwrap_or(DEFAULT_BUDGET_PX);
     least::check_budget(budget_px)?;
     check_device(args, args.scene.device == DeviceName::Cpu)?;
-    let file = PictureFile::new(&args.output, &args.scene.view, args.stars.stars.as_ref())?;
-    let mut lens = lens(&args.scene, method)?;
+    let file = PictureFile::new(args)?;
+    let camera = Camera::new(&args.scene.view.view(args.scene.size))?;
+    let (table, table_name) = table(&args.scene.view)?;
+    let mut lens = lens_of(camera, &table, table_name.clone(), method)?;
+    let table = TableFacts::new(table_name, table.header(), &lens);
     let sky = sky::load(&args.scene.view.sky)?;
     let stars = star_field(&args.stars, &args.scene.view.sky)?;
     let gpu = gpu_for(args.scene.device, &lens.camera)?;
@@ -65,7 +70,14 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     let started = Instant::now();
     let (picture, device) = draw(renderer, args.scene.device, &scene)?;
     let seconds = started.elapsed().as_secs_f64();
-    file.write(&picture, exposure)?;
+    let bytes = match file.format {
+        PictureFormat::Png => picture.encode(file.format, exposure)?,
+        PictureFormat::OpenExr => {
+            let layers = layers(&args.aov, &scene);
+            openexr::encode(&picture, layers, &metadata::of(args, &table, &device)?)?
+        }
+    };
+    file.output.write(&bytes)?;
     message!("drawn on {device} in {seconds:.3} s");
     if scene.sampling.averages() {
         message!("{}", extra_rays(&scene.lens));
@@ -116,19 +128,29 @@ struct PictureFile {
 }
 
 impl PictureFile {
-    /// The output file `path`; an error if its format is unknown, or if it is one of the input files of `view` and
-    /// `stars`.
-    fn new(path: &Path, view: &ViewArgs, stars: Option<&StarSource>) -> Result<Self, CommandError> {
-        let format = PictureFormat::of(path, PictureFormat::ALL)?;
-        let output = Output::binary(path)?;
-        spare_inputs(&output, view, stars)?;
+    /// The output file of `args`; an error if its format is unknown or cannot hold their layers, or if it is one of their
+    /// input files.
+    fn new(args: &RenderArgs) -> Result<Self, CommandError> {
+        let format = PictureFormat::of(&args.output, PictureFormat::ALL)?;
+        if format != PictureFormat::OpenExr && !args.aov.is_empty() {
+            return Err(CommandError::LayersNeedExr(args.output.clone()));
+        }
+        let output = Output::binary(&args.output)?;
+        spare_inputs(&output, &args.scene.view, args.stars.stars.as_ref())?;
+        if let Some(like) = &args.like {
+            output.spares(like)?;
+        }
         Ok(PictureFile { format, output })
     }
+}
 
-    fn write(&self, picture: &Picture, exposure: f32) -> Result<(), CommandError> {
-        let bytes = picture.encode(self.format, exposure)?;
-        Ok(self.output.write(&bytes)?)
-    }
+/// The channels of the layers `names` of `scene`.
+fn layers(names: &[LayerName], scene: &Scene) -> Vec<Channel> {
+    let layers: Vec<Layer> = names.iter().flat_map(|name| name.layers()).collect();
+    let progress = Progress::new("tracing layers", scene.lens.camera.height.into());
+    let channels = layers::trace(&scene.lens, &layers, scene.sampling, || progress.step());
+    progress.finish();
+    channels
 }
 
 /// Reports the pixels that are black because their light could not be computed.

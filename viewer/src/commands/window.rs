@@ -57,6 +57,9 @@ fn instead(args: &WindowArgs) -> RenderArgs {
         exposure: Exposure::Stops(0.0),
         budget_px: None,
         explain: false,
+        aov: Vec::new(),
+        like: None,
+        recorded: None,
         scene: SceneArgs {
             size: args.size,
             device: DeviceName::Auto,
