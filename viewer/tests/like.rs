@@ -387,20 +387,6 @@ fn a_picture_is_not_drawn_over_the_one_it_is_like() {
     assert!(std::fs::read(&first).unwrap() == whole);
 }
 
-#[test]
-fn layers_need_an_exr() {
-    let folder = folder();
-    for out in [&path(&folder, "out.png"), "-"] {
-        VIEWER
-            .run(&[&RENDER[..], &["--aov", "uv", "-o", out]].concat())
-            .refuses(&["--aov", out, ".exr"]);
-    }
-    VIEWER
-        .run(&["render", "--aov", "depth", "-o", &path(&folder, "out.exr")])
-        .refuses(&["--aov", "depth", "direction", "captured", "all"]);
-    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
-}
-
 /// A name that is not UTF-8 cannot be recorded; the picture is drawn all the same, and a line says so.
 #[test]
 #[cfg(target_os = "linux")]

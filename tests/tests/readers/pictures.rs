@@ -9,9 +9,10 @@ use lensbake_render::lens::Deflection;
 use lensbake_render::openexr::{Metadata, Value, encode};
 use lensbake_render::picture::Picture;
 use lensbake_render::scene::{Sampling, Scene};
-use lensbake_render::sky::grid;
-use lensbake_test_support::fetched;
+use lensbake_render::sky::{self, SkySource, grid};
+use lensbake_test_support::{fetched, workspace};
 use lensbake_tests::lens;
+use std::f32::consts::TAU;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use tempfile::TempDir;
@@ -29,17 +30,21 @@ const LAYERS: [&str; 9] = [
     "uv.V",
 ];
 
-/// A picture with all layers whose width and height are no multiples of anything.
-fn picture() -> (Picture, Vec<Channel>) {
-    let view = View {
+/// A view whose width and height are no multiples of anything.
+fn view() -> View {
+    View {
         radius: 6.0,
         motion: Motion::Orbit,
         yaw_deg: 10.0,
         width: 83,
         height: 47,
         ..View::default()
-    };
-    let lens = lens(&view, Deflection::Lut);
+    }
+}
+
+/// A picture with all layers.
+fn picture() -> (Picture, Vec<Channel>) {
+    let lens = lens(&view(), Deflection::Lut);
     let layers = layers::trace(&lens, &Layer::ALL, Sampling::Filtered, || ());
     let scene = Scene::new(lens, grid(64)).with_sampling(Sampling::Filtered);
     (cpu::render(&scene, || ()), layers)
@@ -125,19 +130,17 @@ fn readers_that_know_layers_see_every_bit_of_them() {
     assert_eq!(asked, 2);
 }
 
-/// Runs OpenEXR's own library in Python on `file`, as docs/layers.md does.
-fn python(code: &str, file: &Path) -> String {
+/// Runs Python `code`, which uses OpenEXR's own library, in `folder`.
+fn python(code: &str, folder: &Path) -> String {
     let python = fetched(env!("CARGO_TARGET_TMPDIR")).join("venv/bin/python");
     let run = Command::new(python)
         .args(["-c", code])
-        .arg(file)
+        .env("PYTHONIOENCODING", "utf-8")
+        .current_dir(folder)
         .output()
         .unwrap();
-    assert!(
-        run.status.success(),
-        "{}",
-        String::from_utf8_lossy(&run.stderr)
-    );
+    let stderr = String::from_utf8_lossy(&run.stderr);
+    assert!(run.status.success(), "{stderr}");
     String::from_utf8(run.stdout).unwrap()
 }
 
@@ -148,10 +151,8 @@ fn python(code: &str, file: &Path) -> String {
 )]
 fn openexr_sees_the_names_and_the_metadata() {
     const CODE: &str = r#"
-import sys
 import OpenEXR
-sys.stdout.reconfigure(encoding="utf-8")
-with OpenEXR.File(sys.argv[1], separate_channels=True) as file:
+with OpenEXR.File("picture.exr", separate_channels=True) as file:
     print(",".join(file.channels()))
     for name in ["software", "comments", "lensbake.options", "compression", "type"]:
         print(file.header()[name])
@@ -159,7 +160,8 @@ with OpenEXR.File(sys.argv[1], separate_channels=True) as file:
 "#;
     let folder = TempDir::new().unwrap();
     let (picture, layers) = picture();
-    let printed = python(CODE, &written(&folder, &picture, layers));
+    written(&folder, &picture, layers);
+    let printed = python(CODE, folder.path());
     let expected = [
         &format!("B,G,R,{}", LAYERS.join(",")),
         "a program",
@@ -170,4 +172,46 @@ with OpenEXR.File(sys.argv[1], separate_channels=True) as file:
         "0.1",
     ];
     assert_eq!(printed.lines().collect::<Vec<_>>(), expected);
+}
+
+/// The code of docs/layers.md swaps the sky for the one that the picture has.
+#[test]
+#[cfg_attr(
+    any(feature = "no-readers", not(target_os = "linux")),
+    ignore = "feature no-readers, or not Linux"
+)]
+fn the_python_code_of_the_document_swaps_the_sky() {
+    let document = std::fs::read_to_string(workspace().join("docs/layers.md")).unwrap();
+    let code = document.split("```python\n").nth(1).unwrap();
+    let code = code.split("```").next().unwrap().to_owned()
+        + "print(abs(swapped - np.stack([layers[name] for name in \"RGB\"], axis=-1)).max())\n"
+        + "print(swapped.max(), options)\n";
+    let folder = TempDir::new().unwrap();
+    let panorama = folder.path().join("panorama.exr");
+    // Light that grows along each axis of the sky frame.
+    let light = |x: u32, y: u32| {
+        let longitude = TAU * ((x as f32 + 0.5) / 1024.0 - 0.5);
+        let latitude = 0.5 * TAU * (0.5 - (y as f32 + 0.5) / 512.0);
+        let across = latitude.cos();
+        let direction = [
+            across * longitude.sin(),
+            latitude.sin(),
+            -across * longitude.cos(),
+        ];
+        image::Rgb(direction.map(|axis| 0.5 + 0.5 * axis))
+    };
+    let picture = image::Rgb32FImage::from_fn(1024, 512, light);
+    picture.save(&panorama).unwrap();
+    let sky = sky::load(&SkySource::Panorama(panorama)).unwrap();
+    let lens = lens(&view(), Deflection::Lut);
+    let layers = layers::trace(&lens, &Layer::ALL, Sampling::Single, || ());
+    let picture = cpu::render(&Scene::new(lens, sky), || ());
+    let frame = encode(&picture, layers, &metadata()).unwrap();
+    std::fs::write(folder.path().join("frame.exr"), frame).unwrap();
+    let printed = python(&code, folder.path());
+    let words: Vec<_> = printed.split_whitespace().collect();
+    let (off, brightest): (f32, f32) = (words[0].parse().unwrap(), words[1].parse().unwrap());
+    // Without interpolation it is off by up to half a pixel of the panorama, 0.003 rad.
+    assert!(off < 3e-3, "{printed}");
+    assert!(brightest > 0.9 && words[2].contains("上海"), "{printed}");
 }
