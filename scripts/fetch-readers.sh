@@ -1,5 +1,5 @@
 #!/bin/sh
-# Fetches the packages with which tests/tests/readers.rs reads OpenEXR tables into the target folder: OpenEXR's own
+# Fetches the packages with which tests/tests/readers reads OpenEXR files into the target folder: OpenEXR's own
 # for Python, and three.js for Node. Does nothing if they are there.
 set -eu
 cd "$(dirname "$0")/.."

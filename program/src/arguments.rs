@@ -1,18 +1,43 @@
 //! Parses the command line of a program.
 
-use clap::Parser;
+use clap::error::Error;
+use clap::{ArgMatches, CommandFactory, Parser};
+use std::ffi::OsString;
 
 /// Parses the arguments. Help and the version are printed at once and end the program.
 ///
 /// # Errors
 /// One line that names the option and says what is wrong with it, with the values that are possible and a hint at a typo.
 pub fn read<Arguments: Parser>() -> Result<Arguments, String> {
-    Arguments::try_parse().map_err(|error| {
-        if !error.use_stderr() {
-            error.exit();
-        }
-        in_one_line(&error.to_string())
-    })
+    of(&matches::<Arguments>(std::env::args_os())?)
+}
+
+/// As [`read`], but parses these `arguments`, the first of which is the program's name, and returns clap's matches, which
+/// tell options that were given from defaults. [`of`] makes them the arguments.
+///
+/// # Errors
+/// As [`read`].
+pub fn matches<Arguments: CommandFactory>(
+    arguments: impl IntoIterator<Item = OsString>,
+) -> Result<ArgMatches, String> {
+    let command = Arguments::command();
+    command.try_get_matches_from(arguments).map_err(line)
+}
+
+/// The arguments of these matches.
+///
+/// # Errors
+/// As [`read`].
+pub fn of<Arguments: Parser>(matches: &ArgMatches) -> Result<Arguments, String> {
+    Arguments::from_arg_matches(matches).map_err(line)
+}
+
+/// The line of an error. Help and the version are no errors: they end the program.
+fn line(error: Error) -> String {
+    if !error.use_stderr() {
+        error.exit();
+    }
+    in_one_line(&error.to_string())
 }
 
 /// The message of clap, which has several lines, without its usage.

@@ -8,7 +8,7 @@
 
 use crate::footprint::Patch;
 use crate::lens::Lens;
-use crate::shadow::Shadow;
+use crate::shadow::{Shadow, SkyPart};
 use crate::shift::Rendition;
 use crate::sky::Sky;
 use glam::{DVec2, DVec3, Vec3, Vec4};
@@ -78,6 +78,19 @@ impl<'a> FilteredPixels<'a> {
         }
     }
 
+    /// The share of the area of pixel (column, row) that sees the sky, 0 to 1.
+    pub fn sky_share(&self, column: u32, row: u32) -> f64 {
+        let at = self.lens.camera.position(column, row);
+        match self.kind(&self.patch(at, 1.0)) {
+            Kind::Shadow => 0.0,
+            Kind::Sky => 1.0,
+            Kind::Edge => {
+                let covered: f64 = self.edge_parts(at).map(|(_, part)| part.covered).sum();
+                covered / f64::from(SUB_RAYS * SUB_RAYS)
+            }
+        }
+    }
+
     /// Signed distance of the centre of pixel (column, row) from the shadow's edge, in pixels, positive outside.
     pub fn edge_distance(&self, column: u32, row: u32) -> f64 {
         let whole = self.patch(self.lens.camera.position(column, row), 1.0);
@@ -140,18 +153,23 @@ impl<'a> FilteredPixels<'a> {
         }
     }
 
-    fn edge_light(&self, sky: &Sky, at: DVec2) -> Vec4 {
+    /// The 3 × 3 patches of the pixel at `at`, each with the part of it that sees the sky.
+    fn edge_parts(&self, at: DVec2) -> impl Iterator<Item = (Patch, SkyPart)> {
         let side = 1.0 / f64::from(SUB_RAYS);
-        let offset = |i: u32| (f64::from(i) + 0.5) * side - 0.5;
-        let mut sum = Vec4::ZERO;
-        for (x, y) in (0..SUB_RAYS).flat_map(|y| (0..SUB_RAYS).map(move |x| (x, y))) {
+        let offset = move |i: u32| (f64::from(i) + 0.5) * side - 0.5;
+        let places = (0..SUB_RAYS).flat_map(|y| (0..SUB_RAYS).map(move |x| (x, y)));
+        places.map(move |(x, y)| {
             let patch = self.patch(at + DVec2::new(offset(x), offset(y)), side);
-            let px = patch.gradient();
-            let part = self
-                .shadow
-                .sky_part(self.shadow.distance(patch.view_angle), px);
+            let distance = self.shadow.distance(patch.view_angle);
+            (patch, self.shadow.sky_part(distance, patch.gradient()))
+        })
+    }
+
+    fn edge_light(&self, sky: &Sky, at: DVec2) -> Vec4 {
+        let mut sum = Vec4::ZERO;
+        for (patch, part) in self.edge_parts(at) {
             if part.covered > 0.0 {
-                let patch = patch.moved(part.shift * px, part.extent);
+                let patch = patch.moved(part.shift * patch.gradient(), part.extent);
                 sum += part.covered as f32 * self.sky_light(sky, &patch, MAX_TAPS_BESIDE_EDGE);
             }
         }
@@ -229,9 +247,12 @@ mod tests {
                 let edge = lens.camera.observer.shadow_angle();
                 let all = FilteredPixels::new(&lens, Rendition::default());
                 let sum: f64 = (0..SIDE * SIDE)
-                    .map(|i| all.light(&white, i % SIDE, i / SIDE))
-                    .map(|light| {
+                    .map(|i| (i % SIDE, i / SIDE))
+                    .map(|(x, y)| {
+                        let light = all.light(&white, x, y);
+                        let share = all.sky_share(x, y) as f32;
                         assert!((light.x - light.w).abs() < 1e-5, "{light}");
+                        assert!((light.w - share).abs() < 1e-5, "{light} {share}");
                         f64::from(if edge < PI / 2.0 {
                             1.0 - light.w
                         } else {

@@ -103,6 +103,10 @@ pub enum LensError {
 pub struct LensedRay {
     /// The unit direction on the sky, in the hole frame.
     pub direction: DVec3,
+    /// The unwrapped sky angle ϑ = θ − Δ, rad: the angle on the sky from the direction of the hole, negative beyond
+    /// the hole, and below −π where the light has gone round it more than once. See
+    /// [`ImageOrder`](crate::stars::images::ImageOrder).
+    pub sky_angle: f64,
     /// Derivatives of the direction on the sky with respect to the view direction.
     pub jacobian: Jacobian,
     /// ν_obs/ν_∞, the frequency at the camera divided by that at infinity: 1/√(1 − 1/r) for a camera at rest.
@@ -123,7 +127,9 @@ pub struct Jacobian {
 /// A view angle after deflection.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deflected {
-    /// The angle θ′ = θ − Δ on the sky from the direction of the hole; Δ is the deflection angle (bending).
+    /// The deflection angle (bending) Δ, rad.
+    pub bend: f64,
+    /// The angle θ′ = θ − Δ on the sky from the direction of the hole.
     pub sky: ViewAngle,
     /// Radial derivative dθ′/dθ.
     pub radial: f64,
@@ -168,11 +174,13 @@ impl Lens {
     ) -> RayOutcome<LensedRay> {
         let (seen, doppler) = self.camera.unboosted(direction);
         let angle = ViewAngle::of(seen);
-        let shift = doppler * self.camera.observer.frequency_shift(angle.radians());
+        let theta = angle.radians();
+        let shift = doppler * self.camera.observer.frequency_shift(theta);
         deflect(angle).map(|deflected| {
             let derivatives = Jacobian::of(angle, deflected);
             LensedRay {
                 direction: angle.turn(seen, deflected.sky),
+                sky_angle: theta - deflected.bend,
                 jacobian: Jacobian {
                     radial: doppler * derivatives.radial,
                     tangential: doppler * derivatives.tangential,
@@ -211,8 +219,14 @@ impl Lens {
 }
 
 impl Jacobian {
+    /// The magnification: the solid angle of an image in the picture divided by that of its source on the sky. Negative
+    /// where the image is mirrored (odd image orders), infinite on the Einstein rings.
+    pub fn magnification(&self) -> f64 {
+        1.0 / (self.radial * self.tangential)
+    }
+
     /// The derivatives at the view angle `angle`.
-    fn of(angle: ViewAngle, Deflected { sky, radial }: Deflected) -> Self {
+    fn of(angle: ViewAngle, Deflected { sky, radial, .. }: Deflected) -> Self {
         Jacobian {
             radial,
             // On the axis, where sin θ is 0, both derivatives are equal.
@@ -259,6 +273,7 @@ fn undeflected(observer: &Observer, angle: ViewAngle) -> RayOutcome<Deflected> {
         RayOutcome::Captured
     } else {
         RayOutcome::Escapes(Deflected {
+            bend: 0.0,
             sky: angle,
             radial: 1.0,
         })
@@ -268,6 +283,7 @@ fn undeflected(observer: &Observer, angle: ViewAngle) -> RayOutcome<Deflected> {
 fn turn(observer: &Observer, angle: ViewAngle, x: f64, bending: BendAndSlope) -> Deflected {
     let (sin, cos) = bending.bend.sin_cos();
     Deflected {
+        bend: bending.bend,
         sky: ViewAngle {
             cos: angle.cos * cos + angle.sin * sin,
             sin: angle.sin * cos - angle.cos * sin,

@@ -1,11 +1,10 @@
 //! A rendered picture in linear light, and its file formats.
 
+use crate::openexr::{self, Metadata};
 use crate::tone_map::tone_map;
-use image::codecs::openexr::OpenExrEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError, ImageFormat};
 use rayon::prelude::*;
-use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -41,6 +40,9 @@ pub enum PictureError {
     /// The encoder failed.
     #[error("the picture cannot be encoded: {0}")]
     Encode(#[from] ImageError),
+    /// The encoder of OpenEXR files failed.
+    #[error("the picture cannot be encoded: {0}")]
+    EncodeOpenExr(#[from] exr::error::Error),
 }
 
 /// A file format for pictures.
@@ -159,23 +161,19 @@ impl Picture {
             .collect()
     }
 
-    /// Encodes the picture as a file. A PNG is tone mapped at an `exposure` in stops.
+    /// Encodes the picture as a file. A PNG is tone mapped at an `exposure` in stops. [`openexr::encode`] also writes
+    /// layers and metadata.
     ///
     /// # Errors
-    /// [`PictureError::Encode`] if the encoder fails.
+    /// [`PictureError::Encode`] or [`PictureError::EncodeOpenExr`] if the encoder fails.
     pub fn encode(&self, format: PictureFormat, exposure: f32) -> Result<Vec<u8>, PictureError> {
-        if format == PictureFormat::Png {
-            let pixels = self.srgb(exposure);
-            return encode_png(self.width, self.height, bytemuck::cast_slice(&pixels));
+        match format {
+            PictureFormat::Png => {
+                let pixels = self.srgb(exposure);
+                encode_png(self.width, self.height, bytemuck::cast_slice(&pixels))
+            }
+            PictureFormat::OpenExr => openexr::encode(self, Vec::new(), &Metadata::default()),
         }
-        let mut bytes = Vec::new();
-        OpenExrEncoder::new(Cursor::new(&mut bytes)).write_image(
-            bytemuck::cast_slice(&self.pixels),
-            self.width,
-            self.height,
-            ExtendedColorType::Rgb32F,
-        )?;
-        Ok(bytes)
     }
 }
 

@@ -89,6 +89,8 @@ pub mod baking;
 pub mod container;
 mod error;
 #[cfg(feature = "files")]
+pub mod exr_attributes;
+#[cfg(feature = "files")]
 pub mod exr_guard;
 mod header;
 pub mod interpolation;

@@ -1,5 +1,6 @@
-"""Reads a picture with OpenEXR's own library and writes it to standard output: width and height as
-u32, then R, G and B of each pixel as f32, from the top row to the bottom one, all little-endian."""
+"""Reads channels of a picture with OpenEXR's own library and writes them to standard output: width and height as u32,
+then the channels that the arguments after the file name, at each pixel, as f32, from the top row to the bottom one, all
+little-endian."""
 
 import struct
 import sys
@@ -8,7 +9,7 @@ import numpy
 import OpenEXR
 
 with OpenEXR.File(sys.argv[1], separate_channels=True) as file:
-    planes = [file.channels()[name].pixels for name in "RGB"]
+    planes = [file.channels()[name].pixels for name in sys.argv[2:]]
 if any(plane.dtype != numpy.float32 for plane in planes):
     sys.exit("a channel is not of 32-bit floats")
 height, width = planes[0].shape

@@ -1,5 +1,5 @@
 // Reads a picture with three.js and writes it to standard output: width and height as u32, then R, G and B
-// of each pixel as f32, from the top row to the bottom one, all little-endian.
+// of each pixel as f32, from the top row to the bottom one, all little-endian. It knows no other channels.
 
 import { readFileSync, writeSync } from 'node:fs';
 import { FloatType } from 'three';

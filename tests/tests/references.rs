@@ -161,6 +161,7 @@ fn compare_patch(question: &Question, answer: &Answer, at: &str) {
     let (sin, cos) = f64::from(question.angle).sin_cos();
     let moved = patch.moved(0.01 * f64::from(question.px), 0.5);
     let print = moved.footprint(Deflected {
+        bend: moved.view_angle.radians() - f64::from(question.angle),
         sky: ViewAngle { cos, sin },
         radial: RADIAL,
     });

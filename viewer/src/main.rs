@@ -3,14 +3,14 @@
 mod cli;
 mod commands;
 
-use cli::{Cli, Command};
-use lensbake_program::{Outcome, arguments};
+use cli::Command;
+use lensbake_program::Outcome;
 use std::process::ExitCode;
 
 const PROGRAM: &str = "viewer";
 
 fn main() -> ExitCode {
-    let cli: Cli = match arguments::read() {
+    let cli = match cli::read() {
         Ok(cli) => cli,
         Err(line) => return Outcome::end(PROGRAM, Err(line)),
     };

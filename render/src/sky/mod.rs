@@ -29,6 +29,7 @@ pub use error::SkyError;
 pub use grid::grid;
 pub use mip_chain::Sky;
 pub use nebula::nebula;
+pub use panorama::panorama_uv;
 pub use starmap::starmap;
 
 /// Texels along the edge of a face of the built-in skies: 0.11° each at the centre of a face.

@@ -2,7 +2,7 @@
 
 use std::f32::consts::{PI, TAU};
 
-use glam::Vec3;
+use glam::{DVec2, DVec3, Vec3};
 
 use super::decoded::DecodedPicture;
 use super::file::PictureFile;
@@ -65,6 +65,18 @@ fn face_texels(width: u32) -> u32 {
     ((width as f32 / PI).ceil() as u32)
         .next_multiple_of(4)
         .clamp(4, MAX_FACE_TEXELS)
+}
+
+/// The place of a unit direction (sky frame) in a panorama: 0 to 1 from the left edge to the right one, and from the
+/// bottom (−Y) to the top (+Y).
+pub fn panorama_uv(direction: DVec3) -> DVec2 {
+    // Longitude grows from −Z towards +X, latitude towards +Y.
+    let longitude = direction.x.atan2(-direction.z);
+    let latitude = direction.y.atan2(direction.x.hypot(direction.z));
+    DVec2::new(
+        longitude / std::f64::consts::TAU,
+        latitude / std::f64::consts::PI,
+    ) + 0.5
 }
 
 /// Linear light of the panorama in a unit direction, filtered bilinearly.
@@ -141,6 +153,26 @@ mod tests {
             "p.exr",
             |path| DecodedPicture::decode(&PictureFile::read(path).unwrap()).unwrap(),
         )
+    }
+
+    #[test]
+    fn a_pixel_lies_where_its_direction_says() {
+        for (column, row) in [(0, 3), (5, 2), (32, 16), (40, 29), (63, 20)] {
+            let direction = brightest(column, row).as_dvec3();
+            let size = DVec2::new(WIDTH.into(), HEIGHT.into());
+            let from_left_bottom = panorama_uv(direction) * size;
+            let (x, y) = (from_left_bottom.x, f64::from(HEIGHT) - from_left_bottom.y);
+            // Near the poles a texel of the cube map is wider than a pixel.
+            let wide = 1.0 / direction.x.hypot(direction.z);
+            assert!(
+                (x - f64::from(column) - 0.5).abs() < wide,
+                "{column}, {row}: {x}"
+            );
+            assert!(
+                (y - f64::from(row) - 0.5).abs() < 1.0,
+                "{column}, {row}: {y}"
+            );
+        }
     }
 
     #[test]

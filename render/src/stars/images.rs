@@ -61,6 +61,27 @@ impl ImageOrder {
         (0..=MAX_WINDINGS).map(|windings| [1.0, -1.0].map(|side| ImageOrder { side, windings }))
     }
 
+    /// The image order of light with the unwrapped sky angle `sky_angle` (rad, at most π): the inverse of
+    /// [`ImageOrder::sky_angle`].
+    pub fn at(sky_angle: f64) -> Self {
+        let half_windings = (1.0 - sky_angle / PI).max(0.0) as u32;
+        ImageOrder {
+            side: if half_windings.is_multiple_of(2) {
+                1.0
+            } else {
+                -1.0
+            },
+            windings: half_windings / 2,
+        }
+    }
+
+    /// How often the light crosses the axis through the camera and the hole on its way: 0 for the primary image, 1 for
+    /// the secondary image on the other side of the hole, then one more for each further half turn. Images of odd
+    /// orders are mirrored.
+    pub fn half_windings(self) -> u32 {
+        2 * self.windings + u32::from(self.side < 0.0)
+    }
+
     /// The unwrapped sky angle ϑ = ±β − 2πk, rad, with k windings.
     pub fn sky_angle(self, beta: f64) -> f64 {
         self.side * beta - TAU * f64::from(self.windings)
@@ -161,5 +182,25 @@ impl InverseLens {
             InverseLens::Bent(_) => image.magnification(sky_angle),
             InverseLens::Flat(_) => 1.0,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_image_order_is_found_again_by_its_sky_angle() {
+        let mut last = None;
+        for (number, order) in ImageOrder::all().flatten().enumerate() {
+            for beta in [1e-9, 0.3, 1.6, PI - 1e-9] {
+                assert_eq!(ImageOrder::at(order.sky_angle(beta)), order, "{beta}");
+            }
+            assert_eq!(order.half_windings() as usize, number);
+            last = Some(order.half_windings());
+        }
+        assert_eq!(last, Some(2 * MAX_WINDINGS + 1));
+        // Straight away from the hole, where rounding can exceed π.
+        assert!(ImageOrder::at(PI + 1e-12).is_straight());
     }
 }

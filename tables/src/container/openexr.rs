@@ -5,6 +5,7 @@
 
 use super::{MAX_FILE_BYTES, VERSION, Version, checksum};
 use crate::error::Problem;
+use crate::exr_attributes;
 use crate::exr_guard::{CheckedExr, Limits};
 use crate::header::{FieldError, MAX_TEXELS};
 use crate::{Field, Header, Table, Texel};
@@ -40,7 +41,7 @@ pub(super) fn encode(table: &Table) -> std::result::Result<Vec<u8>, Problem> {
             match field {
                 Field::Count(n) => AttributeValue::I32(n.cast_signed()),
                 Field::Real(x) => AttributeValue::F64(x),
-                Field::Text(s) => AttributeValue::Text(Text::from_slice_unchecked(s.as_bytes())),
+                Field::Text(s) => AttributeValue::Text(exr_attributes::encode_text(&s)),
             },
         );
     }
@@ -57,29 +58,7 @@ pub(super) fn encode(table: &Table) -> std::result::Result<Vec<u8>, Problem> {
         .non_parallel()
         .to_buffered(&mut bytes)
         .map_err(exr_problem)?;
-    Ok(with_attributes_in_order(bytes.into_inner()))
-}
-
-/// The same file with its attributes sorted by name. The library writes them in arbitrary order, but the same
-/// table must give the same bytes. Each attribute is a name and a type, both terminated by a zero, a length and a
-/// value; an empty name ends the list.
-fn with_attributes_in_order(mut file: Vec<u8>) -> Vec<u8> {
-    const FIRST: usize = 8;
-    let mut attributes: Vec<Vec<u8>> = Vec::new();
-    let mut at = FIRST;
-    while file[at] != 0 {
-        let text_end =
-            |from: usize| from + file[from..].iter().take_while(|&&b| b != 0).count() + 1;
-        let length_at = text_end(text_end(at));
-        let length = file[length_at..length_at + 4].iter().rev();
-        let length = length.fold(0, |n, &byte| n << 8 | usize::from(byte));
-        let end = length_at + 4 + length;
-        attributes.push(file[at..end].to_vec());
-        at = end;
-    }
-    attributes.sort();
-    file[FIRST..at].copy_from_slice(&attributes.concat());
-    file
+    Ok(exr_attributes::in_order(bytes.into_inner()))
 }
 
 /// Limits for the file of a table: only lossless compression, and no larger than the largest table.
@@ -143,7 +122,7 @@ fn decode_header(layer: &exr::meta::header::Header) -> std::result::Result<Heade
         Some(match attribute(attributes, name)? {
             AttributeValue::I32(n) => Field::Count(n.cast_unsigned()),
             AttributeValue::F64(x) => Field::Real(*x),
-            AttributeValue::Text(s) => Field::Text(decode_text(s)),
+            AttributeValue::Text(s) => Field::Text(exr_attributes::decode_text(s)),
             _ => return None,
         })
     })
@@ -163,15 +142,6 @@ fn decode_header(layer: &exr::meta::header::Header) -> std::result::Result<Heade
         )));
     }
     Ok(header)
-}
-
-/// The text of an attribute, which is UTF-8. Files of earlier versions hold Latin-1, which is not valid UTF-8 once
-/// it has a letter beyond ASCII.
-fn decode_text(stored: &Text) -> String {
-    match std::str::from_utf8(stored.as_slice()) {
-        Ok(text) => text.to_owned(),
-        Err(_) => stored.to_string(),
-    }
 }
 
 fn stored_checksum(attributes: &LayerAttributes) -> std::result::Result<u32, Problem> {

@@ -12,6 +12,7 @@ mod expansion;
 
 pub use error::ExrError;
 
+use crate::exr_attributes::decode_text;
 use crate::panics::caught;
 use chunks::ChunkLocation;
 use exr::block::UncompressedBlock;
@@ -21,7 +22,7 @@ use exr::block::chunk::{
 use exr::block::lines::LineRef;
 use exr::meta::header::Header;
 use exr::meta::{BlockDescription, MetaData};
-use exr::prelude::{Compression, SampleType, Text, Vec2, f16};
+use exr::prelude::{AttributeValue, Compression, SampleType, Text, Vec2, f16};
 
 /// Limits on the files that are read.
 #[derive(Debug, Clone, Copy)]
@@ -67,6 +68,23 @@ pub fn display_size(bytes: &[u8]) -> Result<(u32, u32), ExrError> {
     let size = layer.shared_attributes.display_window.size;
     // The parser refuses windows with a side of 2³⁰ or more.
     Ok((size.width() as u32, size.height() as u32))
+}
+
+/// The text attribute `name` of the first layer, `None` if there is none. Nothing after the headers is read, and `bytes`
+/// may end there.
+///
+/// # Errors
+/// [`ExrError`] if the headers cannot be read.
+pub fn text_attribute(bytes: &[u8], name: &str) -> Result<Option<String>, ExrError> {
+    let (meta, _) = headers(bytes)?;
+    let attributes = meta
+        .headers
+        .first()
+        .map(|header| &header.own_attributes.other);
+    match attributes.and_then(|attributes| attributes.get(&Text::from(name))) {
+        Some(AttributeValue::Text(text)) => Ok(Some(decode_text(text))),
+        _ => Ok(None),
+    }
 }
 
 impl<'b> CheckedExr<'b> {

@@ -1,10 +1,13 @@
 //! Options of the window, of `render`, `diff` and `catalogue`, and of point stars.
 
 use super::projection::ProjectionArgs;
+use super::recorded::RecordedOptions;
 use super::scene::{MethodName, PassName, SamplingName, SceneArgs, ViewArgs};
 use super::values::{Exposure, exposure, size, stars, stops};
-use clap::Args;
 use clap::builder::{OsStringValueParser, TypedValueParser};
+use clap::{Args, ValueEnum};
+use lensbake_render::layers::Layer;
+use lensbake_render::sky::SkySource;
 use lensbake_render::stars::StarSource;
 use std::path::PathBuf;
 
@@ -30,6 +33,13 @@ pub struct RenderArgs {
     /// costs.
     #[arg(long)]
     pub explain: bool,
+    /// Layers beside the picture in an .exr, separated by commas, for compositing.
+    #[arg(long, value_name = "LAYER,…", value_enum, value_delimiter = ',')]
+    pub aov: Vec<LayerName>,
+    /// Take all options that are not given from this .exr, which `viewer render` has written. The output is not among
+    /// them.
+    #[arg(long, value_name = "FILE")]
+    pub like: Option<PathBuf>,
     /// How it is drawn.
     #[command(flatten)]
     pub drawing: DrawingArgs,
@@ -39,6 +49,9 @@ pub struct RenderArgs {
     /// The stars in front of its sky.
     #[command(flatten)]
     pub stars: StarArgs,
+    /// What an .exr records of these options; `None` if a value is not UTF-8.
+    #[arg(skip)]
+    pub recorded: Option<RecordedOptions>,
 }
 
 /// How pictures are drawn.
@@ -63,6 +76,40 @@ pub struct DrawingArgs {
     pub projection: ProjectionArgs,
 }
 
+/// Layer of a picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum LayerName {
+    /// Direction on the sky that the light comes from.
+    Direction,
+    /// Frequency shift.
+    Shift,
+    /// Magnification, negative for mirrored images.
+    Magnification,
+    /// Image order: how often the light crosses the axis through the camera and the hole.
+    Order,
+    /// Place on a panorama (STMap).
+    Uv,
+    /// Share of the pixel that lies in the shadow.
+    Captured,
+    /// All of these.
+    All,
+}
+
+impl LayerName {
+    /// The layers of this name.
+    pub fn layers(self) -> Vec<Layer> {
+        match self {
+            LayerName::Direction => vec![Layer::Direction],
+            LayerName::Shift => vec![Layer::Shift],
+            LayerName::Magnification => vec![Layer::Magnification],
+            LayerName::Order => vec![Layer::Order],
+            LayerName::Uv => vec![Layer::Uv],
+            LayerName::Captured => vec![Layer::Captured],
+            LayerName::All => Layer::ALL.to_vec(),
+        }
+    }
+}
+
 /// Point stars.
 #[derive(Debug, Clone, Args)]
 pub struct StarArgs {
@@ -83,6 +130,15 @@ pub struct StarArgs {
     /// magnification of a star behind the hole.
     #[arg(long, value_name = "RAD", allow_negative_numbers = true)]
     pub star_radius: Option<f64>,
+}
+
+impl StarArgs {
+    /// The source of the stars before this sky, if there are any. The sky `stars` has the Hipparcos stars unless others
+    /// are named.
+    pub fn source(&self, sky: &SkySource) -> Option<StarSource> {
+        let built_in = (*sky == SkySource::Stars).then_some(StarSource::Hipparcos);
+        self.stars.clone().or(built_in)
+    }
 }
 
 /// Options of `viewer catalogue`.

@@ -1,14 +1,21 @@
 //! The command line.
 
 mod draw;
+mod like;
 mod measure;
 mod projection;
+mod read;
+mod recorded;
 mod scene;
 mod values;
 
-pub use draw::{CatalogueArgs, DiffArgs, DrawingArgs, PICTURE, RenderArgs, StarArgs, WindowArgs};
+pub use draw::{
+    CatalogueArgs, DiffArgs, DrawingArgs, LayerName, PICTURE, RenderArgs, StarArgs, WindowArgs,
+};
 pub use measure::{BenchArgs, ChartArgs, FlickerArgs, ReferenceArgs};
 pub use projection::ProjectionArgs;
+pub use read::read;
+pub use recorded::{ATTRIBUTE, RecordedOptions};
 pub use scene::{DeviceName, LightArgs, MethodName, PassName, SamplingName, SceneArgs};
 pub use values::Exposure;
 

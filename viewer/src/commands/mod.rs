@@ -6,6 +6,7 @@ pub mod chart;
 pub mod diff;
 pub mod flicker;
 mod least;
+mod metadata;
 pub mod reference;
 pub mod render;
 pub mod window;
@@ -117,6 +118,9 @@ pub enum CommandError {
     /// The GPU has no compute shaders.
     #[error("--pass compute: the GPU {0} has no compute shaders; use --pass fragment")]
     NoCompute(String),
+    /// Only an OpenEXR file holds layers.
+    #[error("--aov: {} holds no layers; name an .exr with --output", _0.display())]
+    LayersNeedExr(PathBuf),
     /// Standard output cannot be written.
     #[error(transparent)]
     Print(#[from] PrintError),
@@ -173,10 +177,9 @@ fn lens_of(
     })
 }
 
-/// The stars that the arguments ask for, if any. The sky `stars` has the Hipparcos stars unless others are named.
+/// The stars that the arguments ask for before this sky, if any.
 fn star_field(args: &StarArgs, sky: &SkySource) -> Result<Option<StarField>, CommandError> {
-    let built_in = (*sky == SkySource::Stars).then_some(StarSource::Hipparcos);
-    let source = args.stars.clone().or(built_in);
+    let source = args.source(sky);
     source.map(|source| stars_of(args, &source)).transpose()
 }
 

@@ -1,21 +1,23 @@
 //! `viewer render`: draws a picture to a file.
 
+use super::metadata::{self, TableFacts};
 use super::{
     CommandError, check_device, gpu_for, least, lens_of, renderer, spare_inputs, star_field, table,
 };
-use crate::cli::{DeviceName, Exposure, LightArgs, RenderArgs};
+use crate::cli::{DeviceName, Exposure, LayerName, RenderArgs};
 use lensbake_program::output::Output;
 use lensbake_program::{Outcome, Printer, Progress, message};
-use lensbake_render::camera::Camera;
+use lensbake_render::camera::{Camera, View};
 use lensbake_render::filter::FilteredPixels;
 use lensbake_render::gpu::{GpuError, Renderer};
+use lensbake_render::layers::{self, Channel, Layer};
 use lensbake_render::lens::{Deflection, Lens};
 use lensbake_render::model::DEFAULT_BUDGET_PX;
+use lensbake_render::openexr;
 use lensbake_render::picture::{Picture, PictureFormat, WithoutValue};
 use lensbake_render::scene::{Sampling, Scene};
 use lensbake_render::shift::Rendition;
 use lensbake_render::sky;
-use lensbake_render::stars::StarSource;
 use lensbake_render::{cpu, exposure};
 use pollster::block_on;
 use std::path::{Path, PathBuf};
@@ -40,28 +42,28 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     let mut printer = Printer::new(jobs[0].file.output.is_standard_output());
     let (sky, stars) = (Arc::new(sky), stars.map(Arc::new));
     let mut outcome = Outcome::Done;
-    for Job { file, mut lens } in jobs {
+    for mut job in jobs {
         if args.explain || args.budget_px.is_some() {
-            let choice = least::choice(&lens, budget_px, gpu.as_ref())?;
+            let choice = least::choice(&job.lens, budget_px, gpu.as_ref())?;
             if args.explain {
-                least::print(&choice, &lens, light.step, &mut printer);
+                least::print(&choice, &job.lens, light.step, &mut printer);
             }
             if args.budget_px.is_some() {
                 if choice.chosen.is_none() {
                     outcome = Outcome::Missed;
                 }
-                lens = least::lens_of(choice, &lens);
+                job.lens = least::lens_of(choice, &job.lens);
             }
         }
-        let (rendition, exposure) = exposed(args, &lens, file.format);
+        let (rendition, exposure) = exposed(args, &job.lens, job.file.format);
         let scene = Scene {
-            lens,
+            lens: job.lens.clone(),
             sampling: args.drawing.sampling.into(),
             sky: sky.clone(),
             stars: stars.clone(),
             rendition,
         };
-        if !picture(args, renderer.as_ref(), &scene, &file, exposure)? {
+        if !picture(args, renderer.as_ref(), &scene, &job, exposure)? {
             outcome = Outcome::Missed;
         }
     }
@@ -72,7 +74,9 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
 /// A picture to draw, and its file.
 struct Job {
     file: PictureFile,
+    view: View,
     lens: Lens,
+    table: TableFacts,
 }
 
 /// The pictures that the arguments ask for: one, or the six faces of a cube.
@@ -82,17 +86,19 @@ fn jobs(args: &RenderArgs, method: Deflection) -> Result<Vec<Job>, CommandError>
         .check(scene.view.fov.is_some())
         .map_err(CommandError::Projection)?;
     let size = scene.size.unwrap_or(projection.default_size());
-    let light = &scene.view.light;
-    let (table, name) = table(light)?;
+    let (table, name) = table(&scene.view.light)?;
     let job = |(ending, projection)| {
         let path = match ending {
             Some(ending) => named(&args.output, ending)?,
             None => args.output.clone(),
         };
         let view = scene.view.view(size, projection);
+        let lens = lens_of(Camera::new(&view)?, &table, &name, method)?;
         Ok(Job {
-            file: PictureFile::new(&path, light, args.stars.stars.as_ref())?,
-            lens: lens_of(Camera::new(&view)?, &table, &name, method)?,
+            file: PictureFile::new(&path, args)?,
+            view,
+            table: TableFacts::new(name.clone(), table.header(), &lens),
+            lens,
         })
     };
     projection.all().into_iter().map(job).collect()
@@ -118,13 +124,24 @@ fn picture(
     args: &RenderArgs,
     renderer: Option<&Renderer>,
     scene: &Scene,
-    file: &PictureFile,
+    job: &Job,
     exposure: f32,
 ) -> Result<bool, CommandError> {
     let started = Instant::now();
     let (picture, device) = draw(renderer, args.scene.device, scene)?;
     let seconds = started.elapsed().as_secs_f64();
-    file.write(&picture, exposure)?;
+    let Job {
+        file, view, table, ..
+    } = job;
+    let bytes = match file.format {
+        PictureFormat::Png => picture.encode(file.format, exposure)?,
+        PictureFormat::OpenExr => {
+            let layers = layers(&args.aov, scene);
+            let metadata = metadata::of(args, view, table, &device)?;
+            openexr::encode(&picture, layers, &metadata)?
+        }
+    };
+    file.output.write(&bytes)?;
     message!("drawn on {device} in {seconds:.3} s");
     if scene.sampling.averages() {
         message!("{}", extra_rays(&scene.lens));
@@ -160,23 +177,29 @@ struct PictureFile {
 }
 
 impl PictureFile {
-    /// The output file `path`; an error if its format is unknown, or if it is one of the input files of `light` and
-    /// `stars`.
-    fn new(
-        path: &Path,
-        light: &LightArgs,
-        stars: Option<&StarSource>,
-    ) -> Result<Self, CommandError> {
+    /// The output file `path`; an error if its format is unknown or cannot hold the layers of `args`, or if it is one of
+    /// their input files.
+    fn new(path: &Path, args: &RenderArgs) -> Result<Self, CommandError> {
         let format = PictureFormat::of(path, PictureFormat::ALL)?;
+        if format != PictureFormat::OpenExr && !args.aov.is_empty() {
+            return Err(CommandError::LayersNeedExr(path.to_owned()));
+        }
         let output = Output::binary(path)?;
-        spare_inputs(&output, light, stars)?;
+        spare_inputs(&output, &args.scene.view.light, args.stars.stars.as_ref())?;
+        if let Some(like) = &args.like {
+            output.spares(like)?;
+        }
         Ok(PictureFile { format, output })
     }
+}
 
-    fn write(&self, picture: &Picture, exposure: f32) -> Result<(), CommandError> {
-        let bytes = picture.encode(self.format, exposure)?;
-        Ok(self.output.write(&bytes)?)
-    }
+/// The channels of the layers `names` of `scene`.
+fn layers(names: &[LayerName], scene: &Scene) -> Vec<Channel> {
+    let layers: Vec<Layer> = names.iter().flat_map(|name| name.layers()).collect();
+    let progress = Progress::new("tracing layers", scene.lens.camera.height.into());
+    let channels = layers::trace(&scene.lens, &layers, scene.sampling, || progress.step());
+    progress.finish();
+    channels
 }
 
 /// Reports the pixels that are black because their light could not be computed.

@@ -56,6 +56,9 @@ fn instead(args: &WindowArgs) -> RenderArgs {
         output: PICTURE.into(),
         budget_px: None,
         explain: false,
+        aov: Vec::new(),
+        like: None,
+        recorded: None,
         drawing: DrawingArgs {
             method: MethodName::Lut,
             sampling: SamplingName::Filtered,

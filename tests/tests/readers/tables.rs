@@ -1,92 +1,12 @@
-//! The OpenEXR tables, read by other programs: OpenEXR's own library, tinyexr and three.js. They must see the bits
-//! of the binary file, with the first row at the top.
+//! The tables: the bits of the binary file, with the first row at the top.
 
+use crate::programs::{READERS, RGB, words};
 use lensbake_tables::baking::measured;
 use lensbake_tables::baking::{Recipe, bake};
 use lensbake_tables::{Header, Rows, Table, Texel, default_atlas};
 use lensbake_test_support::{one_row, workspace};
-use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::sync::LazyLock;
+use std::path::Path;
 use tempfile::TempDir;
-
-/// A program that writes a picture to standard output: width and height as u32, then R, G and B of each
-/// pixel as f32, from the top row to the bottom one.
-struct Reader {
-    name: &'static str,
-    command: Vec<PathBuf>,
-}
-
-static READERS: LazyLock<[Reader; 3]> = LazyLock::new(|| {
-    let sources = workspace().join("tests/readers");
-    let fetched = fetched();
-    let tinyexr = Path::new(env!("CARGO_TARGET_TMPDIR")).join("read_tinyexr");
-    build(&sources.join("read_tinyexr.cc"), &tinyexr);
-    // Node looks for packages beside the script.
-    let three = fetched.join("read_three.mjs");
-    std::fs::copy(sources.join("read_three.mjs"), &three).unwrap();
-    let reader = |name, command| Reader { name, command };
-    let python = fetched.join("venv/bin/python");
-    [
-        reader("OpenEXR", vec![python, sources.join("read_openexr.py")]),
-        reader("tinyexr", vec![tinyexr]),
-        reader("three.js", vec!["node".into(), three]),
-    ]
-});
-
-const HINT: &str = lensbake_test_support::READERS_HINT;
-
-/// Folder for the readers' packages.
-fn fetched() -> PathBuf {
-    lensbake_test_support::fetched(env!("CARGO_TARGET_TMPDIR"))
-}
-
-fn build(source: &Path, program: &Path) {
-    let compiler = Command::new("g++")
-        .args(["-O1", "-o"])
-        .args([program, source])
-        .arg("-ltinyexr")
-        .status();
-    let built = compiler.is_ok_and(|status| status.success());
-    assert!(built, "{} does not compile: {HINT}", source.display());
-}
-
-/// A picture as a reader sees it.
-struct Picture {
-    width: u32,
-    height: u32,
-    /// R, G and B, row by row from the top.
-    pixels: Vec<[u32; 3]>,
-}
-
-impl Reader {
-    fn read(&self, file: &Path) -> Picture {
-        let output = Command::new(&self.command[0])
-            .args(&self.command[1..])
-            .arg(file)
-            .output()
-            .unwrap_or_else(|e| panic!("{}: {e}: {HINT}", self.name));
-        assert!(
-            output.status.success(),
-            "{}, {}: {}",
-            self.name,
-            file.display(),
-            String::from_utf8_lossy(&output.stderr)
-        );
-        let words = words(&output.stdout);
-        Picture {
-            width: words[0],
-            height: words[1],
-            pixels: words[2..].as_chunks().0.to_vec(),
-        }
-    }
-}
-
-fn words(bytes: &[u8]) -> Vec<u32> {
-    let (words, rest) = bytes.as_chunks();
-    assert!(rest.is_empty(), "{} bytes left over", rest.len());
-    words.iter().map(|word| u32::from_le_bytes(*word)).collect()
-}
 
 /// The bits of the texels in a binary file, decoded by docs/format.md and not by our own reader.
 fn bits_of_the_texels(file: &Path) -> Vec<[u32; 2]> {
@@ -102,11 +22,12 @@ fn all_see_the_same(binary: &Path, exr: &Path, header: &Header) {
     let (width, height) = (header.texels, header.row_count());
     assert_eq!(texels.len(), width as usize * height as usize);
     for reader in READERS.iter() {
-        let picture = reader.read(exr);
+        let picture = reader.read(exr, &RGB);
         let whose = format!("{}, {}", reader.name, exr.display());
         assert_eq!((picture.width, picture.height), (width, height), "{whose}");
-        assert_eq!(picture.pixels.len(), texels.len(), "{whose}");
-        for (i, (pixel, [value, slope])) in picture.pixels.iter().zip(&texels).enumerate() {
+        let pixels = picture.pixels();
+        assert_eq!(pixels.len(), texels.len(), "{whose}");
+        for (i, (pixel, [value, slope])) in pixels.zip(&texels).enumerate() {
             let (row, texel) = (i as u32 / width, i as u32 % width);
             let expected = [*value, *slope, 0];
             assert!(

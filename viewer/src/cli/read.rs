@@ -1,0 +1,54 @@
+//! Reads the command line.
+
+use super::like::{Inherited, LikeError};
+use super::{Cli, Command, RecordedOptions};
+use clap::ArgMatches;
+use lensbake_program::arguments;
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+/// The command whose options a picture records.
+pub const RENDER: &str = "render";
+
+/// Reads the command line. The options of the picture that `render --like` names are inserted before those that are
+/// given, so that both are parsed alike.
+///
+/// # Errors
+/// One line that names the option or the picture and says what is wrong.
+pub fn read() -> Result<Cli, String> {
+    let arguments: Vec<OsString> = std::env::args_os().collect();
+    let mut matches = arguments::matches::<Cli>(arguments.clone())?;
+    if let Some(like) = like(&matches) {
+        matches = with_options_of(like, &matches, arguments).map_err(|error| error.to_string())?;
+    }
+    let mut cli: Cli = arguments::of(&matches)?;
+    if let (Some(Command::Render(args)), Some(given)) =
+        (&mut cli.command, matches.subcommand_matches(RENDER))
+    {
+        args.recorded = RecordedOptions::of(given);
+    }
+    Ok(cli)
+}
+
+/// The picture that `render --like` names.
+fn like(matches: &ArgMatches) -> Option<PathBuf> {
+    matches
+        .subcommand_matches(RENDER)?
+        .get_one::<PathBuf>("like")
+        .cloned()
+}
+
+/// The matches of `arguments` and, where they do not set them, of the options that the picture `like` records.
+fn with_options_of(
+    like: PathBuf,
+    matches: &ArgMatches,
+    mut arguments: Vec<OsString>,
+) -> Result<ArgMatches, LikeError> {
+    let Some(given) = matches.subcommand_matches(RENDER) else {
+        return Ok(matches.clone());
+    };
+    let inherited = Inherited::read(&like)?.beside(given)?;
+    // The program, its command, then options.
+    arguments.splice(2..2, inherited);
+    arguments::matches::<Cli>(arguments).map_err(|line| LikeError::Options { file: like, line })
+}

@@ -1,0 +1,145 @@
+//! The options of `viewer render` as an .exr records them, so that the picture can be drawn again.
+
+use super::Cli;
+use super::read::RENDER;
+use clap::parser::ValueSource;
+use clap::{Arg, ArgMatches, Command, CommandFactory};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::ffi::OsString;
+
+/// The attribute of an .exr that holds the options, as JSON.
+pub const ATTRIBUTE: &str = "lensbake.options";
+
+/// Newest version of the record that this program reads, and the one that it writes. A new option needs no new version.
+pub const VERSION: u32 = 1;
+
+/// The version of this program.
+pub const PROGRAM: &str = env!("CARGO_PKG_VERSION");
+
+/// Options that do not belong to a picture: where it goes, what it is like, and what is printed.
+const NOT_RECORDED: [&str; 3] = ["output", "like", "explain"];
+
+/// All options of a picture with their values as a user gives them, defaults too: those of a later version may differ.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RecordedOptions {
+    version: u32,
+    /// Version of the program that wrote the record.
+    pub program: String,
+    /// Values by the long name of the option, without dashes. A flag has none.
+    pub options: BTreeMap<String, Vec<String>>,
+}
+
+/// A record that has been written for a newer reader.
+#[derive(Debug, Deserialize)]
+pub struct RecordVersion {
+    /// Version of the record.
+    pub version: u32,
+    /// Version of the program that wrote it.
+    #[serde(default)]
+    pub program: String,
+}
+
+impl RecordedOptions {
+    /// The options of `viewer render` with these matches; `None` if a value is not UTF-8. Defaults that conflict with an
+    /// option that is given are left out.
+    pub fn of(matches: &ArgMatches) -> Option<Self> {
+        let command = render();
+        let given = Given::new(&command, matches);
+        let mut options = BTreeMap::new();
+        for (name, option) in recordable(&command) {
+            let is_given = given.sets(option);
+            if !is_given && (!takes_values(option) || given.excludes(option)) {
+                continue;
+            }
+            let values = match matches.get_raw(option.get_id().as_str()) {
+                Some(values) if takes_values(option) => values.map(|value| value.to_str()),
+                Some(_) => {
+                    options.insert(name.to_owned(), Vec::new());
+                    continue;
+                }
+                None => continue,
+            };
+            let values: Option<Vec<&str>> = values.collect();
+            let values = values?.into_iter().map(str::to_owned).collect();
+            options.insert(name.to_owned(), values);
+        }
+        Some(RecordedOptions {
+            version: VERSION,
+            program: PROGRAM.to_owned(),
+            options,
+        })
+    }
+
+    /// The arguments for the recorded options that `matches` neither sets nor excludes.
+    ///
+    /// # Errors
+    /// The name of an option that this program does not have.
+    pub fn arguments(&self, matches: &ArgMatches) -> Result<Vec<OsString>, String> {
+        let command = render();
+        let given = Given::new(&command, matches);
+        let mut arguments = Vec::new();
+        for (name, values) in &self.options {
+            let found = recordable(&command).find(|(known, _)| known == name);
+            let (_, option) = found.ok_or_else(|| name.clone())?;
+            if given.sets(option) || given.excludes(option) {
+                continue;
+            }
+            if takes_values(option) {
+                let one = |value| OsString::from(format!("--{name}={value}"));
+                arguments.extend(values.iter().map(one));
+            } else {
+                arguments.push(format!("--{name}").into());
+            }
+        }
+        Ok(arguments)
+    }
+}
+
+/// The definition of `viewer render`.
+fn render() -> Command {
+    let found = Cli::command().find_subcommand(RENDER).cloned();
+    found.expect("the program has this command")
+}
+
+/// The options that a picture records, with their long names.
+fn recordable(command: &Command) -> impl Iterator<Item = (&str, &Arg)> {
+    let named = command
+        .get_arguments()
+        .filter_map(|option| Some((option.get_long()?, option)));
+    named.filter(|(name, _)| !NOT_RECORDED.contains(name))
+}
+
+fn takes_values(option: &Arg) -> bool {
+    option.get_action().takes_values()
+}
+
+/// The options that are given, not defaults.
+struct Given<'a> {
+    command: &'a Command,
+    options: Vec<&'a Arg>,
+}
+
+impl<'a> Given<'a> {
+    fn new(command: &'a Command, matches: &ArgMatches) -> Self {
+        let is_given = |option: &&Arg| {
+            matches.value_source(option.get_id().as_str()) == Some(ValueSource::CommandLine)
+        };
+        Given {
+            command,
+            options: command.get_arguments().filter(is_given).collect(),
+        }
+    }
+
+    fn sets(&self, option: &Arg) -> bool {
+        self.options.contains(&option)
+    }
+
+    /// Whether an option that is given conflicts with `option`. Clap knows a conflict from one side only.
+    fn excludes(&self, option: &Arg) -> bool {
+        let names = |from: &Arg, to: &Arg| self.command.get_arg_conflicts_with(from).contains(&to);
+        let mut given = self.options.iter();
+        given.any(|given| names(given, option) || names(option, given))
+    }
+}

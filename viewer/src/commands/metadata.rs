@@ -1,0 +1,149 @@
+//! The metadata of an .exr: for people, what the picture shows; for `--like`, the options that it was drawn with.
+
+use super::CommandError;
+use crate::cli::{ATTRIBUTE, MethodName, RenderArgs};
+use lensbake_core::Motion;
+use lensbake_program::message;
+use lensbake_render::camera::{Projection, View};
+use lensbake_render::lens::Lens;
+use lensbake_render::openexr::{Metadata, Value};
+use lensbake_render::sky::SkySource;
+use lensbake_render::stars::StarSource;
+use lensbake_tables::Header;
+
+/// The bending table that a picture is drawn with.
+#[derive(Debug)]
+pub struct TableFacts {
+    /// Its name: the path, or that of the built-in atlas.
+    pub name: String,
+    /// The largest error that it states for the camera's side of the horizon, rad; `None` if it states none.
+    pub error: Option<f64>,
+}
+
+impl TableFacts {
+    /// What is said of the table with this `name` and `header` in pictures through `lens`.
+    pub fn new(name: String, header: &Header, lens: &Lens) -> Self {
+        let below = header.measured_below;
+        let measured = match lens.camera.observer.is_inside() {
+            true => below.unwrap_or(header.measured),
+            false => header.measured,
+        };
+        TableFacts {
+            name,
+            error: (measured.rays > 0).then_some(measured.max_error),
+        }
+    }
+}
+
+/// The metadata of the picture of `view` that `args` describe, drawn with `table` on `device`. If its options cannot be recorded, a
+/// message says so.
+///
+/// # Errors
+/// [`CommandError::Json`] if they cannot be written as JSON.
+pub fn of(
+    args: &RenderArgs,
+    view: &View,
+    table: &TableFacts,
+    device: &str,
+) -> Result<Metadata, CommandError> {
+    let observer = observer(view);
+    let text = |name, text: &str| (name, Value::Text(text.to_owned()));
+    let mut attributes = vec![
+        text("lensbake.observer", &observer),
+        ("lensbake.radius", Value::Real(view.radius)),
+        text("lensbake.motion", &view.motion.to_string()),
+        text("lensbake.camera", &camera(view)),
+        text("lensbake.sky", &sky(&args.scene.view.light.sky)),
+        text("lensbake.method", &method(args)),
+        text("lensbake.table", &table.name),
+        text("lensbake.device", device),
+    ];
+    attributes.extend(
+        table
+            .error
+            .map(|error| ("lensbake.tableError", Value::Real(error))),
+    );
+    attributes.extend(stars(args).map(|stars| ("lensbake.stars", Value::Text(stars))));
+    match &args.recorded {
+        Some(recorded) => {
+            let json = serde_json::to_string(recorded).map_err(CommandError::Json)?;
+            attributes.push((ATTRIBUTE, Value::Text(json)));
+        }
+        None => message!(
+            "viewer: {} does not record its options for --like, because one of its paths is not UTF-8",
+            args.output.display()
+        ),
+    }
+    Ok(Metadata {
+        software: format!("lensbake viewer {}", env!("CARGO_PKG_VERSION")),
+        comments: format!(
+            "The sky as a black hole deflects its light, seen by an observer {observer}"
+        ),
+        attributes,
+    })
+}
+
+/// The deflection method.
+fn method(args: &RenderArgs) -> String {
+    match (args.budget_px, args.drawing.method) {
+        (Some(budget_px), _) => format!("the least model within {budget_px} px"),
+        (None, MethodName::Lut) => "table lookup".to_owned(),
+        (None, MethodName::Direct) => format!(
+            "direct integration in steps of {} rad",
+            args.scene.view.light.step
+        ),
+        (None, MethodName::Flat) => "no deflection".to_owned(),
+    }
+}
+
+/// Place and motion of the observer.
+fn observer(view: &View) -> String {
+    let motion = match view.motion {
+        Motion::Rest => "at rest".to_owned(),
+        Motion::Fall => "in free fall from rest at infinity".to_owned(),
+        Motion::Orbit => "in circular orbit".to_owned(),
+        Motion::Velocity { radial, tangential } => {
+            format!("at the velocity {radial} c outwards, {tangential} c across")
+        }
+    };
+    format!("{motion} at r = {} Schwarzschild radii", view.radius)
+}
+
+/// Projection, orientation and picture size of the camera.
+fn camera(view: &View) -> String {
+    let (width, height, fov) = (view.width, view.height, view.fov_deg);
+    let projection = match view.projection {
+        Projection::Perspective => format!("{fov}° across"),
+        Projection::Equirectangular => "equirectangular".to_owned(),
+        Projection::Fisheye => format!("equidistant fisheye, {fov}° across"),
+        Projection::Dome { tilt_deg } => format!("dome, {fov}° across, tilted by {tilt_deg}°"),
+        Projection::CubeFace(face) => format!("{} face of a cube", face.name()),
+    };
+    format!(
+        "{width}x{height} pixels, {projection}, yaw {}°, pitch {}°, roll {}°, orbit {}°, latitude {}°, heading {}°",
+        view.yaw_deg,
+        view.pitch_deg,
+        view.roll_deg,
+        view.orbit_deg,
+        view.latitude_deg,
+        view.heading_deg
+    )
+}
+
+/// The name of a built-in sky, or its files.
+fn sky(source: &SkySource) -> String {
+    if source.is_built_in() {
+        return source.name();
+    }
+    let files = source.files().iter();
+    let files: Vec<_> = files.map(|file| file.display().to_string()).collect();
+    files.join(",")
+}
+
+/// The catalogue of the stars, if there are any.
+fn stars(args: &RenderArgs) -> Option<String> {
+    match args.stars.source(&args.scene.view.light.sky)? {
+        StarSource::Hipparcos => Some("hipparcos".to_owned()),
+        StarSource::File(path) => Some(path.display().to_string()),
+    }
+}
