@@ -5,7 +5,7 @@ use super::{Cli, Command, RecordedOptions};
 use clap::ArgMatches;
 use lensbake_program::arguments;
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The command whose options a picture records.
 pub const RENDER: &str = "render";
@@ -18,8 +18,11 @@ pub const RENDER: &str = "render";
 pub fn read() -> Result<Cli, String> {
     let arguments: Vec<OsString> = std::env::args_os().collect();
     let mut matches = arguments::matches::<Cli>(arguments.clone())?;
-    if let Some(like) = like(&matches) {
-        matches = with_options_of(like, &matches, arguments).map_err(|error| error.to_string())?;
+    if let Some(given) = matches.subcommand_matches(RENDER)
+        && let Some(like) = given.get_one::<PathBuf>("like")
+    {
+        let merged = with_options_of(like, given, arguments);
+        matches = merged.map_err(|error| error.to_string())?;
     }
     let mut cli: Cli = arguments::of(&matches)?;
     if let (Some(Command::Render(args)), Some(given)) =
@@ -30,25 +33,18 @@ pub fn read() -> Result<Cli, String> {
     Ok(cli)
 }
 
-/// The picture that `render --like` names.
-fn like(matches: &ArgMatches) -> Option<PathBuf> {
-    matches
-        .subcommand_matches(RENDER)?
-        .get_one::<PathBuf>("like")
-        .cloned()
-}
-
-/// The matches of `arguments` and, where they do not set them, of the options that the picture `like` records.
+/// The matches of `arguments`, with `given` for the options of the command, and where these do not set them, of the options
+/// that the picture `like` records.
 fn with_options_of(
-    like: PathBuf,
-    matches: &ArgMatches,
+    like: &Path,
+    given: &ArgMatches,
     mut arguments: Vec<OsString>,
 ) -> Result<ArgMatches, LikeError> {
-    let Some(given) = matches.subcommand_matches(RENDER) else {
-        return Ok(matches.clone());
-    };
-    let inherited = Inherited::read(&like)?.beside(given)?;
+    let inherited = Inherited::read(like)?.beside(given)?;
     // The program, its command, then options.
     arguments.splice(2..2, inherited);
-    arguments::matches::<Cli>(arguments).map_err(|line| LikeError::Options { file: like, line })
+    arguments::matches::<Cli>(arguments).map_err(|line| LikeError::Options {
+        file: like.to_owned(),
+        line,
+    })
 }

@@ -31,7 +31,7 @@ pub struct RecordedOptions {
     pub options: BTreeMap<String, Vec<String>>,
 }
 
-/// A record that has been written for a newer reader.
+/// What every version of the record says of itself.
 #[derive(Debug, Deserialize)]
 pub struct RecordVersion {
     /// Version of the record.
@@ -50,20 +50,19 @@ impl RecordedOptions {
         let mut options = BTreeMap::new();
         for (name, option) in recordable(&command) {
             let is_given = given.sets(option);
-            if !is_given && (!takes_values(option) || given.excludes(option)) {
+            if !is_given && given.excludes(option) {
                 continue;
             }
-            let values = match matches.get_raw(option.get_id().as_str()) {
-                Some(values) if takes_values(option) => values.map(|value| value.to_str()),
-                Some(_) => {
-                    options.insert(name.to_owned(), Vec::new());
-                    continue;
-                }
-                None => continue,
-            };
-            let values: Option<Vec<&str>> = values.collect();
-            let values = values?.into_iter().map(str::to_owned).collect();
-            options.insert(name.to_owned(), values);
+            let values = matches.get_raw(option.get_id().as_str());
+            let values = values.into_iter().flatten();
+            let values = values.filter(|_| takes_values(option));
+            let values: Option<Vec<String>> = values
+                .map(|value| value.to_str().map(str::to_owned))
+                .collect();
+            let values = values?;
+            if is_given || !values.is_empty() {
+                options.insert(name.to_owned(), values);
+            }
         }
         Some(RecordedOptions {
             version: VERSION,

@@ -1,110 +1,25 @@
 //! The options that the picture of `viewer render --like` records.
 
-use super::recorded::{ATTRIBUTE, PROGRAM, RecordVersion, RecordedOptions, VERSION};
+mod error;
+#[cfg(test)]
+mod tests;
+
+use error::HEADER_BYTES;
+pub use error::LikeError;
+
+use super::recorded::{ATTRIBUTE, RecordVersion, RecordedOptions, VERSION};
 use super::values;
 use clap::ArgMatches;
 use lensbake_render::picture::PictureFormat;
 use lensbake_render::sky::SkySource;
-use lensbake_tables::exr_guard::{ExrError, text_attribute};
+use lensbake_tables::exr_guard::text_attribute;
 use std::ffi::OsString;
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::Read;
 use std::path::{Path, PathBuf};
-use thiserror::Error;
 
-/// Most bytes that are read of a picture. The header of those that `viewer render` writes takes two thousand.
-const HEADER_BYTES: u64 = 1 << 20;
 /// The first bytes of an OpenEXR file.
 const MAGIC: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
-
-/// Why a picture cannot be drawn like another. Each message is one line.
-#[derive(Debug, Error)]
-pub enum LikeError {
-    /// The file cannot be opened or read.
-    #[error("--like {}: cannot be read ({cause}); check the path and its permissions", file.display())]
-    Unreadable {
-        /// The picture.
-        file: PathBuf,
-        /// What the system said.
-        cause: io::Error,
-    },
-    /// The file is no OpenEXR picture, or its header is damaged.
-    #[error("--like {}: not a readable OpenEXR picture ({cause})", file.display())]
-    NotAPicture {
-        /// The picture.
-        file: PathBuf,
-        /// What is wrong.
-        cause: ExrError,
-    },
-    /// The header does not end where it should.
-    #[error("--like {}: its header is damaged, or longer than {HEADER_BYTES} bytes", file.display())]
-    Header {
-        /// The picture.
-        file: PathBuf,
-    },
-    /// The picture has no record of options.
-    #[error(
-        "--like {}: records no options (attribute {ATTRIBUTE}); name an .exr as `viewer render` has written it",
-        file.display()
-    )]
-    NoRecord {
-        /// The picture.
-        file: PathBuf,
-    },
-    /// The record cannot be decoded.
-    #[error("--like {}: its options (attribute {ATTRIBUTE}) are damaged: {cause}", file.display())]
-    Damaged {
-        /// The picture.
-        file: PathBuf,
-        /// What is wrong.
-        cause: serde_json::Error,
-    },
-    /// The record is of a newer version.
-    #[error(
-        "--like {}: written by viewer {}, whose record of options viewer {PROGRAM} cannot read; use that version",
-        file.display(), program.escape_debug()
-    )]
-    Newer {
-        /// The picture.
-        file: PathBuf,
-        /// Version of the program that wrote it.
-        program: String,
-    },
-    /// The record has an option that this program does not have.
-    #[error(
-        "--like {}: drawn with --{} by viewer {}; viewer {PROGRAM} has no such option",
-        file.display(), option.escape_debug(), program.escape_debug()
-    )]
-    Unknown {
-        /// The picture.
-        file: PathBuf,
-        /// Name of the option.
-        option: String,
-        /// Version of the program that wrote it.
-        program: String,
-    },
-    /// A file that the picture was drawn with is not there.
-    #[error(
-        "--like {}: drawn with --{option} {}, which is not there; name another with --{option}",
-        file.display(), value.escape_debug()
-    )]
-    Missing {
-        /// The picture.
-        file: PathBuf,
-        /// Name of the option.
-        option: &'static str,
-        /// Its value.
-        value: String,
-    },
-    /// The recorded options cannot be used.
-    #[error("--like {}: {line}", file.display())]
-    Options {
-        /// The picture.
-        file: PathBuf,
-        /// What is wrong with which option.
-        line: String,
-    },
-}
 
 /// The options of an earlier picture.
 #[derive(Debug)]
@@ -199,8 +114,12 @@ fn record(file: &Path) -> Result<String, LikeError> {
             file: file.to_owned(),
             cause,
         })?;
-    let file = file.to_owned();
-    match text_attribute(&bytes, ATTRIBUTE) {
+    record_in(file.to_owned(), &bytes)
+}
+
+/// The record in the first `bytes` of the picture `file`.
+fn record_in(file: PathBuf, bytes: &[u8]) -> Result<String, LikeError> {
+    match text_attribute(bytes, ATTRIBUTE) {
         Ok(Some(record)) => Ok(record),
         Ok(None) => Err(LikeError::NoRecord { file }),
         Err(_) if bytes.len() as u64 == HEADER_BYTES && bytes.starts_with(&MAGIC) => {
