@@ -1,13 +1,15 @@
 //! The command line.
 
 mod draw;
+mod film;
 mod measure;
 mod scene;
 mod values;
 
 pub use draw::{CatalogueArgs, DiffArgs, DrawingArgs, PICTURE, RenderArgs, StarArgs, WindowArgs};
+pub use film::FilmArgs;
 pub use measure::{BenchArgs, ChartArgs, FlickerArgs, ReferenceArgs};
-pub use scene::{DeviceName, LightArgs, MethodName, PassName, SamplingName, SceneArgs, ViewArgs};
+pub use scene::{DeviceName, LightArgs, MethodName, PassName, SamplingName, SceneArgs};
 pub use values::Exposure;
 
 use clap::{Parser, Subcommand};
@@ -32,6 +34,8 @@ pub struct Cli {
 pub enum Command {
     /// Draw a picture to a file.
     Render(RenderArgs),
+    /// Draw the frames of a film along a path of keyframes, or a video.
+    Film(FilmArgs),
     /// Draw by table lookup and by direct integration, and report how much they differ.
     Diff(DiffArgs),
     /// Chart speed against accuracy of every method of drawing, on this machine's GPU.

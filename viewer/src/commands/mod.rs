@@ -4,6 +4,7 @@ pub mod bench;
 pub mod catalogue;
 pub mod chart;
 pub mod diff;
+pub mod film;
 pub mod flicker;
 mod least;
 pub mod reference;
@@ -78,6 +79,9 @@ pub enum CommandError {
     /// The study of flicker failed.
     #[error(transparent)]
     Flicker(#[from] FlickerError),
+    /// The film cannot be made.
+    #[error(transparent)]
+    Film(#[from] film::FilmError),
     /// The window failed.
     #[error(transparent)]
     Window(#[from] WindowError),
@@ -150,14 +154,14 @@ fn spare_inputs(
 fn lens(args: &SceneArgs, deflection: Deflection) -> Result<Lens, CommandError> {
     let camera = Camera::new(&args.view.view(args.size))?;
     let (table, name) = table(&args.view.light)?;
-    lens_of(camera, &table, name, deflection)
+    lens_of(camera, &table, &name, deflection)
 }
 
 /// The lens of `camera` with `table`, whose name in messages is `name`.
 fn lens_of(
     camera: Camera,
     table: &Table,
-    name: String,
+    name: &str,
     deflection: Deflection,
 ) -> Result<Lens, CommandError> {
     Lens::new(camera, table, deflection).map_err(|problem| match problem {
@@ -165,7 +169,10 @@ fn lens_of(
             name: "--step".into(),
             problem,
         },
-        _ => CommandError::Lens { name, problem },
+        _ => CommandError::Lens {
+            name: name.to_owned(),
+            problem,
+        },
     })
 }
 
