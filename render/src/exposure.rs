@@ -2,6 +2,7 @@
 
 use crate::lens::Lens;
 use crate::shift::Shift;
+use glam::DVec2;
 use lensbake_core::RayOutcome;
 
 /// Rays along each side of the picture.
@@ -9,30 +10,34 @@ const RAYS: u32 = 24;
 
 /// The exposure, in stops, at which an evenly bright sky keeps its mean brightness in the picture of `lens` with this
 /// frequency shift: minus the mean of log₂ g⁴ over the rays of the picture that see the sky. The mean of the logarithm, as
-/// in a camera, is not dominated by a small bright patch ahead. 0 without shift, or if no ray sees the sky.
+/// in a camera, is not dominated by a small bright patch ahead. If none of these rays sees the sky, the corners of the
+/// picture count, which are the last to do so. 0 without shift, or if no ray sees the sky at all.
 pub fn automatic(lens: &Lens, shift: Shift) -> f32 {
     if shift == Shift::Off {
         return 0.0;
     }
+    let even = |i: u32| (f64::from(i) + 0.5) / f64::from(RAYS) - 0.5;
+    let grid = (0..RAYS * RAYS).map(|i| DVec2::new(even(i % RAYS), even(i / RAYS)));
+    let corners = [-0.5, 0.5].map(|x| [-0.5, 0.5].map(|y| DVec2::new(x, y)));
+    let brightness = mean_brightness(lens, grid)
+        .or_else(|| mean_brightness(lens, corners.into_iter().flatten()))
+        .unwrap_or(0.0);
+    -brightness as f32
+}
+
+/// The mean of log₂ g⁴ over the rays through `places` that see the sky, if any do. Places are in units of the picture's
+/// width and height from its centre.
+fn mean_brightness(lens: &Lens, places: impl Iterator<Item = DVec2>) -> Option<f64> {
     let camera = &lens.camera;
-    let along = |i: u32, side: u32| (f64::from(i) + 0.5) / f64::from(RAYS) * f64::from(side);
-    let middle = 0.5 * glam::DVec2::new(camera.width.into(), camera.height.into());
+    let size = DVec2::new(camera.width.into(), camera.height.into());
     let (mut sum, mut count) = (0.0, 0.0);
-    for i in 0..RAYS * RAYS {
-        let at = glam::DVec2::new(
-            along(i % RAYS, camera.width),
-            along(i / RAYS, camera.height),
-        );
-        if let RayOutcome::Escapes(ray) = lens.ray(camera.ray(at - middle).normalize()) {
+    for place in places {
+        if let RayOutcome::Escapes(ray) = lens.ray(camera.ray(place * size).normalize()) {
             sum += 4.0 * ray.frequency_shift.log2();
             count += 1.0;
         }
     }
-    if count == 0.0 {
-        0.0
-    } else {
-        (-sum / count) as f32
-    }
+    (count > 0.0).then_some(sum / count)
 }
 
 #[cfg(test)]
@@ -68,5 +73,29 @@ mod tests {
         assert!(ahead < -2.0 && back > 0.0, "{ahead} {back}");
         // Looking at the hole from deep inside, no ray sees the sky.
         assert_eq!(stops(0.1, Motion::Fall, 0.0, Shift::Colour), 0.0);
+    }
+
+    /// Until the sky is out of sight, its last light in the corners does not become a thousand times as bright.
+    #[test]
+    fn it_changes_steadily_until_no_sky_is_left() {
+        let mut before = stops(1.0, Motion::Fall, 0.0, Shift::Brightness);
+        let mut radius: f64 = 1.0;
+        loop {
+            radius *= 0.99;
+            let now = stops(radius, Motion::Fall, 0.0, Shift::Brightness);
+            let view = View {
+                radius,
+                motion: Motion::Fall,
+                ..View::default()
+            };
+            let camera = Camera::new(&view).unwrap();
+            let lens = Lens::new(camera, default_atlas(), Deflection::Lut).unwrap();
+            if lens.ray(camera.direction(0, 0)) == RayOutcome::Captured {
+                break;
+            }
+            assert!((now - before).abs() < 0.5, "{radius}: {before} {now}");
+            before = now;
+        }
+        assert!(radius > 0.1 && before < -4.0, "{radius} {before}");
     }
 }

@@ -151,6 +151,27 @@ impl Picture {
         });
     }
 
+    /// Adds the light of `other`, a picture of the same size. Pixels without value of either are black in it.
+    ///
+    /// # Panics
+    /// If the sizes differ.
+    pub fn add_picture(&mut self, other: &Picture) {
+        assert_eq!((self.width, self.height), (other.width, other.height));
+        for (pixel, more) in self.pixels.iter_mut().zip(&other.pixels) {
+            for (channel, more) in pixel.iter_mut().zip(more) {
+                *channel += more;
+            }
+        }
+        self.without_value = self.without_value.or(other.without_value);
+    }
+
+    /// Multiplies all light by `factor`.
+    pub fn scale(&mut self, factor: f32) {
+        for channel in self.pixels.iter_mut().flatten() {
+            *channel *= factor;
+        }
+    }
+
     /// The pixels as a screen shows them: tone mapped at an `exposure` in stops, sRGB, 8 bits per channel.
     pub fn srgb(&self, exposure: f32) -> Vec<[u8; 3]> {
         let shown = |&pixel: &[f32; 3]| tone_map(pixel.into(), exposure).to_array();
@@ -230,6 +251,16 @@ mod tests {
             "{bright:?}"
         );
         assert_eq!(picture.srgb(-1.0)[0], [0, 137, 170]);
+    }
+
+    #[test]
+    fn light_of_pictures_adds_up() {
+        let mut sum = Picture::new(2, 1, vec![[1.0, 2.0, 3.0], [0.5; 3]]);
+        sum.add_picture(&Picture::new(2, 1, vec![[1.0; 3], [f32::NAN; 3]]));
+        sum.scale(0.5);
+        assert_eq!(sum.pixels(), [[1.0, 1.5, 2.0], [0.25; 3]]);
+        let lost = sum.without_value().unwrap();
+        assert_eq!((lost.count, lost.first), (1, (1, 0)));
     }
 
     fn write(picture: &Picture, path: &Path) {

@@ -17,6 +17,7 @@ fn main() -> ExitCode {
     let outcome = match cli.command {
         None => commands::window::run(&cli.window),
         Some(Command::Render(args)) => commands::render::run(&args),
+        Some(Command::Film(args)) => commands::film::run(&args),
         Some(Command::Chart(args)) => commands::chart::run(&args),
         Some(Command::Bench(args)) => commands::bench::run(&args),
         Some(Command::Catalogue(args)) => commands::catalogue::run(&args),

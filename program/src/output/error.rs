@@ -39,6 +39,9 @@ pub enum OutputProblem {
     /// The path is a block device, such as a disk.
     #[error("is a block device; name a file")]
     BlockDevice,
+    /// The output is a stream, and another program must write it to a file.
+    #[error("is not a regular file; name one")]
+    Stream,
     /// Standard output is a terminal, and the data are not text.
     #[error("standard output is a terminal; redirect it, or name a file")]
     Terminal,

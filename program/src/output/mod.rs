@@ -11,15 +11,18 @@
 mod error;
 mod folder;
 mod resolve;
+mod staged;
 
 pub use error::{OutputError, OutputProblem};
 pub use folder::OutputFolder;
+pub use staged::Staged;
 
 use resolve::{Destination, resolve};
 use std::borrow::Cow;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
 
 /// The path for standard output.
 const STANDARD_OUTPUT: &str = "-";
@@ -147,18 +150,24 @@ fn write_to_standard_output(bytes: &[u8]) -> io::Result<()> {
 
 /// Creates `target` with these bytes, or replaces it atomically.
 fn replace(target: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut file = temporary_file(resolve::folder_of(target))?;
+    let mut file = temporary_file(resolve::folder_of(target), "")?;
+    file.write_all(bytes)?;
+    put_in_place(file, target)
+}
+
+/// Lets the temporary `file`, which is whole, take the place of `target`.
+fn put_in_place(file: NamedTempFile, target: &Path) -> io::Result<()> {
     if let Ok(before) = fs::metadata(target) {
         keep_owner_and_mode(file.as_file(), &before)?;
     }
-    file.write_all(bytes)?;
     file.persist(target).map_err(|error| error.error)?;
     Ok(())
 }
 
-/// A temporary file with the mode of any new file.
-fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
+/// A temporary file with the mode of any new file, whose name ends with `suffix`.
+fn temporary_file(folder: &Path, suffix: &str) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
+    builder.suffix(suffix);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;

@@ -219,6 +219,13 @@ struct Pixels<'a> {
 impl Pixels<'_> {
     fn at(&self, column: u32, row: u32) -> Pixel {
         let camera = &self.lens.camera;
+        if camera.coverage(column, row) == 0.0 {
+            // Outside the disc of a fisheye there is neither sky nor shadow.
+            return Pixel {
+                light: None,
+                captured: 0.0,
+            };
+        }
         let light = match self.lens.ray(camera.direction(column, row)) {
             RayOutcome::Captured => None,
             RayOutcome::Escapes(ray) => Some(Light {

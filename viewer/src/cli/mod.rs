@@ -1,6 +1,7 @@
 //! The command line.
 
 mod draw;
+mod film;
 mod like;
 mod measure;
 mod projection;
@@ -12,6 +13,7 @@ mod values;
 pub use draw::{
     CatalogueArgs, DiffArgs, DrawingArgs, LayerName, PICTURE, RenderArgs, StarArgs, WindowArgs,
 };
+pub use film::FilmArgs;
 pub use measure::{BenchArgs, ChartArgs, FlickerArgs, ReferenceArgs};
 pub use projection::ProjectionArgs;
 pub use read::read;
@@ -41,6 +43,8 @@ pub struct Cli {
 pub enum Command {
     /// Draw a picture to a file.
     Render(RenderArgs),
+    /// Draw the frames of a film along a path of keyframes, or a video.
+    Film(FilmArgs),
     /// Draw by table lookup and by direct integration, and report how much they differ.
     Diff(DiffArgs),
     /// Chart speed against accuracy of every method of drawing, on this machine's GPU.

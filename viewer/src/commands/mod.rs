@@ -4,6 +4,7 @@ pub mod bench;
 pub mod catalogue;
 pub mod chart;
 pub mod diff;
+pub mod film;
 pub mod flicker;
 mod least;
 mod metadata;
@@ -83,6 +84,9 @@ pub enum CommandError {
     /// A path of the camera cannot be read.
     #[error(transparent)]
     Path(#[from] PathFileError),
+    /// The film cannot be made.
+    #[error(transparent)]
+    Film(#[from] film::FilmError),
     /// The window failed.
     #[error(transparent)]
     Window(#[from] WindowError),

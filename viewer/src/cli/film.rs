@@ -1,0 +1,108 @@
+//! Options of `viewer film`.
+
+use super::draw::{DrawingArgs, StarArgs};
+use super::scene::{DeviceName, LightArgs};
+use super::values::size;
+use clap::{Args, ValueEnum};
+use lensbake_film::{FrameRange, FrameRate, ReadyPath};
+use std::path::PathBuf;
+
+/// Options of `viewer film`.
+#[derive(Debug, Args)]
+pub struct FilmArgs {
+    /// Path of the camera: a JSON file of keyframes.
+    #[arg(
+        value_name = "FILE",
+        conflicts_with = "path",
+        required_unless_present = "path"
+    )]
+    pub file: Option<PathBuf>,
+    /// Ready path instead of a file.
+    #[arg(long, value_enum, value_name = "NAME")]
+    pub path: Option<PathName>,
+    /// Radius of the ready path: of the orbit [default: 10], where the fall [6] or the dive [40] begins, or the least of
+    /// the flyby [3].
+    #[arg(
+        short,
+        long,
+        value_name = "R",
+        requires = "path",
+        allow_negative_numbers = true
+    )]
+    pub radius: Option<f64>,
+    /// Length of the film. A ready path is flown in this time [default: 10]; a file's path is cut there, or its end goes on
+    /// [default: its last keyframe].
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    pub seconds: Option<f64>,
+    /// Frames per second, a number or a ratio such as 30000/1001.
+    #[arg(long, value_name = "N", default_value = "30")]
+    pub fps: FrameRate,
+    /// Frames to draw: from frame A to before frame B, every STEP-th. Frames are numbered from 0; A or B may be left out.
+    #[arg(long, value_name = "A..B[:STEP]")]
+    pub frames: Option<FrameRange>,
+    /// Files of the frames, such as frames/%05d.png or .exr (linear light); or a video, .mp4, .mkv or .webm, which ffmpeg
+    /// writes.
+    #[arg(
+        short,
+        long,
+        value_name = "FILE",
+        required_unless_present = "save_path"
+    )]
+    pub output: Option<PathBuf>,
+    /// Draw frames anew whose files exist. Otherwise they are skipped.
+    #[arg(long)]
+    pub overwrite: bool,
+    /// Write the path to a file, as a start for one of your own, and draw nothing.
+    #[arg(long, value_name = "FILE", conflicts_with = "output")]
+    pub save_path: Option<PathBuf>,
+    /// Motion blur: the part of a frame's time in which the shutter is open, from 0 (no blur) to 1; film cameras have 0.5.
+    #[arg(
+        long,
+        value_name = "FRACTION",
+        default_value_t = 0.0,
+        allow_negative_numbers = true
+    )]
+    pub shutter: f64,
+    /// Pictures whose mean is a frame with motion blur.
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=1024))]
+    pub subframes: u32,
+    /// Size of the frames.
+    #[arg(long, value_name = "WxH", default_value = "1920x1080", value_parser = size)]
+    pub size: (u32, u32),
+    /// Device to draw on; `auto` is the GPU if there is one.
+    #[arg(short, long, value_enum, default_value_t = DeviceName::Auto)]
+    pub device: DeviceName,
+    /// Sky, table and frequency shift.
+    #[command(flatten)]
+    pub light: LightArgs,
+    /// How it is drawn.
+    #[command(flatten)]
+    pub drawing: DrawingArgs,
+    /// The stars in front of its sky.
+    #[command(flatten)]
+    pub stars: StarArgs,
+}
+
+/// A ready path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum PathName {
+    /// Once round the hole in orbit.
+    Orbit,
+    /// Free fall through the horizon to r = 0.05.
+    Fall,
+    /// Past the hole.
+    Flyby,
+    /// From afar down to r = 1.1, at rest.
+    Dive,
+}
+
+impl From<PathName> for ReadyPath {
+    fn from(name: PathName) -> Self {
+        match name {
+            PathName::Orbit => ReadyPath::Orbit,
+            PathName::Fall => ReadyPath::Fall,
+            PathName::Flyby => ReadyPath::Flyby,
+            PathName::Dive => ReadyPath::Dive,
+        }
+    }
+}

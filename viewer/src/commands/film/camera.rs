@@ -1,0 +1,109 @@
+//! The film camera: draws the light of a frame, without its stars.
+
+use super::super::{CommandError, lens_of};
+use super::latent::Latent;
+use super::plan::Plan;
+use crate::cli::Exposure;
+use lensbake_film::Shot;
+use lensbake_render::camera::Camera;
+use lensbake_render::gpu::{GpuError, Renderer};
+use lensbake_render::lens::{Deflection, Lens};
+use lensbake_render::picture::Picture;
+use lensbake_render::scene::{Sampling, Scene};
+use lensbake_render::shift::{Rendition, Shift};
+use lensbake_render::sky::Sky;
+use lensbake_render::tone_map::EXPOSURES;
+use lensbake_render::{cpu, exposure};
+use lensbake_tables::Table;
+use pollster::block_on;
+use std::sync::Arc;
+
+/// Draws frames, each from its number alone.
+pub(super) struct FilmCamera<'a> {
+    pub(super) plan: &'a Plan,
+    pub(super) table: &'a Table,
+    pub(super) table_name: &'a str,
+    pub(super) deflection: Deflection,
+    pub(super) sampling: Sampling,
+    pub(super) shift: Shift,
+    pub(super) exposure: Exposure,
+    /// Whether the frames keep all light, so that exposure does not change them.
+    pub(super) keeps_light: bool,
+    pub(super) sky: Arc<Sky>,
+    /// The GPU's renderer; the CPU draws without one.
+    pub(super) renderer: Option<Renderer>,
+}
+
+impl FilmCamera<'_> {
+    /// Name of the device that draws.
+    pub(super) fn device(&self) -> String {
+        match &self.renderer {
+            Some(renderer) => renderer.gpu().name(),
+            None => "the CPU".to_owned(),
+        }
+    }
+
+    /// Checks that the table has a row for each of `frames`.
+    pub(super) fn check(&self, frames: &[u32]) -> Result<(), CommandError> {
+        frames
+            .iter()
+            .try_for_each(|&frame| self.lens(&self.plan.shot(frame)).map(drop))
+    }
+
+    /// Draws the light of `frame`.
+    pub(super) fn expose(&self, frame: u32) -> Result<Latent, CommandError> {
+        let (rendition, exposure) = self.exposed(&self.plan.shot(frame))?;
+        let mut latent = Latent::new(frame, rendition, exposure);
+        for shot in self.plan.moments(frame) {
+            let lens = self.lens(&shot)?;
+            let light = self.draw(&lens, rendition)?;
+            latent.add(light, lens);
+        }
+        Ok(latent)
+    }
+
+    fn lens(&self, shot: &Shot) -> Result<Lens, CommandError> {
+        let camera = Camera::new(&shot.view)?;
+        lens_of(camera, self.table, self.table_name, self.deflection)
+    }
+
+    /// The rendition of a frame, and the exposure of its file in stops. The path's exposure is added to that of the command
+    /// line.
+    fn exposed(&self, shot: &Shot) -> Result<(Rendition, f32), CommandError> {
+        let plain = Rendition::of(self.shift);
+        if self.keeps_light {
+            return Ok((plain, 0.0));
+        }
+        let (rendition, stops) = match self.exposure {
+            Exposure::Stops(stops) => (plain, stops),
+            Exposure::Automatic => {
+                let stops = exposure::automatic(&self.lens(shot)?, self.shift);
+                let light_scale = stops.exp2();
+                (
+                    Rendition {
+                        light_scale,
+                        ..plain
+                    },
+                    0.0,
+                )
+            }
+        };
+        let sum = stops + shot.exposure as f32;
+        Ok((rendition, sum.clamp(*EXPOSURES.start(), *EXPOSURES.end())))
+    }
+
+    /// Draws without stars: the GPU would add up those of a pixel in another order each time.
+    fn draw(&self, lens: &Lens, rendition: Rendition) -> Result<Picture, GpuError> {
+        let scene = Scene {
+            lens: lens.clone(),
+            sampling: self.sampling,
+            sky: self.sky.clone(),
+            stars: None,
+            rendition,
+        };
+        match &self.renderer {
+            Some(renderer) => block_on(renderer.picture(&scene, |_| ())),
+            None => Ok(cpu::render(&scene, || ())),
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! A file for each frame.
+
+use super::super::{CommandError, spare_inputs};
+use super::FilmError;
+use crate::cli::FilmArgs;
+use lensbake_film::FrameNames;
+use lensbake_program::output::Output;
+use lensbake_render::picture::{Picture, PictureFormat};
+use std::path::Path;
+
+/// The files of the frames.
+pub(super) struct FrameFiles {
+    pub(super) format: PictureFormat,
+    pub(super) size: (u32, u32),
+    names: FrameNames,
+    pattern: String,
+}
+
+impl FrameFiles {
+    /// Files named by the pattern `path`, of frames of `size` pixels.
+    pub(super) fn new(path: &Path, size: (u32, u32)) -> Result<Self, CommandError> {
+        let names = FrameNames::new(path).map_err(FilmError::from)?;
+        Ok(FrameFiles {
+            format: PictureFormat::of(path, PictureFormat::ALL)?,
+            size,
+            names,
+            pattern: path.display().to_string(),
+        })
+    }
+
+    pub(super) fn name(&self) -> String {
+        self.pattern.clone()
+    }
+
+    /// Those of `frames` that are to be drawn: all with `--overwrite`, otherwise those without a file. Checks that files can
+    /// be created, and that no input is overwritten.
+    pub(super) fn missing(
+        &self,
+        frames: &[u32],
+        args: &FilmArgs,
+    ) -> Result<Vec<u32>, CommandError> {
+        if let Some(&first) = frames.first() {
+            Output::binary(&self.names.path(first))?;
+        }
+        let (existing, mut missing): (Vec<u32>, Vec<u32>) = frames
+            .iter()
+            .partition(|&&frame| self.names.path(frame).exists());
+        if args.overwrite {
+            for frame in existing {
+                let output = Output::binary(&self.names.path(frame))?;
+                spare_inputs(&output, &args.light, args.stars.stars.as_ref())?;
+            }
+            missing = frames.to_vec();
+        }
+        Ok(missing)
+    }
+
+    pub(super) fn write(
+        &self,
+        frame: u32,
+        picture: &Picture,
+        exposure: f32,
+    ) -> Result<(), CommandError> {
+        let bytes = picture.encode(self.format, exposure)?;
+        Ok(Output::binary(&self.names.path(frame))?.write(&bytes)?)
+    }
+}

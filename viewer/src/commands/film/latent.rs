@@ -1,0 +1,51 @@
+//! A frame between drawing and encoding.
+
+use lensbake_render::lens::Lens;
+use lensbake_render::picture::Picture;
+use lensbake_render::shift::Rendition;
+use lensbake_render::stars::{self, StarField};
+
+/// A latent frame: the light of its sky, summed over the moments at which the shutter was open, still without stars.
+pub(super) struct Latent {
+    pub(super) frame: u32,
+    /// Exposure of its file, stops.
+    pub(super) exposure: f32,
+    rendition: Rendition,
+    light: Option<Picture>,
+    moments: Vec<Lens>,
+}
+
+impl Latent {
+    pub(super) fn new(frame: u32, rendition: Rendition, exposure: f32) -> Self {
+        Latent {
+            frame,
+            exposure,
+            rendition,
+            light: None,
+            moments: Vec::new(),
+        }
+    }
+
+    /// Adds the light of a moment, seen through `lens`.
+    pub(super) fn add(&mut self, light: Picture, lens: Lens) {
+        match &mut self.light {
+            Some(sum) => sum.add_picture(&light),
+            None => self.light = Some(light),
+        }
+        self.moments.push(lens);
+    }
+
+    /// The picture: the mean over its moments, with the stars of `field`. `None` without moments.
+    pub(super) fn developed(self, field: Option<&StarField>) -> Option<Picture> {
+        let mut picture = self.light?;
+        if let Some(field) = field {
+            for lens in &self.moments {
+                stars::draw(&mut picture, lens, field, self.rendition);
+            }
+        }
+        if self.moments.len() > 1 {
+            picture.scale(1.0 / self.moments.len() as f32);
+        }
+        Some(picture)
+    }
+}

@@ -1,0 +1,72 @@
+//! What is to be filmed: the flight, and the times of the frames.
+
+use super::FilmError;
+use crate::cli::FilmArgs;
+use lensbake_film::{FilmClock, Flight, FlightPath, FrameRange, ReadyPath, Shot, Shutter};
+use std::path::Path;
+
+/// Length of a film along a ready path unless the user names another, s.
+const READY_SECONDS: f64 = 10.0;
+
+/// What is to be filmed.
+pub(super) struct Plan {
+    pub(super) path: FlightPath,
+    pub(super) clock: FilmClock,
+    /// Numbers of the frames that the user asks for.
+    pub(super) frames: Vec<u32>,
+    flight: Flight,
+    shutter: Shutter,
+    size: (u32, u32),
+}
+
+impl Plan {
+    pub(super) fn new(args: &FilmArgs) -> Result<Self, FilmError> {
+        let shutter = Shutter::new(args.shutter, args.subframes)?;
+        let (path, flight, seconds) = match (&args.file, args.path) {
+            (Some(file), _) => from_file(file, args.seconds)?,
+            (None, Some(name)) => ready(name.into(), args)?,
+            (None, None) => unreachable!("one of the two is required"),
+        };
+        let clock = FilmClock::new(args.fps, seconds)?;
+        let range = args.frames.unwrap_or(FrameRange::ALL);
+        Ok(Plan {
+            frames: range.within(clock.frames())?.collect(),
+            path,
+            clock,
+            flight,
+            shutter,
+            size: args.size,
+        })
+    }
+
+    /// The shot of `frame`.
+    pub(super) fn shot(&self, frame: u32) -> Shot {
+        self.flight.shot(self.clock.time(frame), self.size)
+    }
+
+    /// The shots at the moments of `frame` at which the shutter is open.
+    pub(super) fn moments(&self, frame: u32) -> impl Iterator<Item = Shot> {
+        let time = self.clock.time(frame);
+        let times = self.shutter.times(time, self.clock.period());
+        times.map(move |moment| self.flight.shot_during(time, moment, self.size))
+    }
+}
+
+fn from_file(file: &Path, seconds: Option<f64>) -> Result<(FlightPath, Flight, f64), FilmError> {
+    let (path, flight) = lensbake_film::read(file)?;
+    let seconds = match seconds {
+        None if flight.seconds() == 0.0 => return Err(FilmError::NoLength(file.to_owned())),
+        seconds => seconds.unwrap_or(flight.seconds()),
+    };
+    Ok((path, flight, seconds))
+}
+
+fn ready(ready: ReadyPath, args: &FilmArgs) -> Result<(FlightPath, Flight, f64), FilmError> {
+    let seconds = args.seconds.unwrap_or(READY_SECONDS);
+    // Refused before the path is made, whose keyframes would have impossible times.
+    FilmClock::new(args.fps, seconds)?;
+    let radius = args.radius.unwrap_or(ready.default_radius());
+    let path = ready.path(radius, seconds)?;
+    let flight = Flight::new(&path)?;
+    Ok((path, flight, seconds))
+}
