@@ -44,14 +44,14 @@ pub fn render(scene: &Scene, row_done: impl Fn() + Sync) -> Picture {
     picture
 }
 
-/// Adds the stars of `scene` to the picture of its sky, and blackens what is outside the disc of a fisheye.
+/// Blackens what is outside the disc of a fisheye, and adds the stars of `scene` to the picture of its sky.
 pub(crate) fn finish(picture: &mut Picture, scene: &Scene) {
     let camera = &scene.lens.camera;
-    if let Some(field) = &scene.stars {
-        stars::draw(picture, &scene.lens, field, scene.rendition);
-    }
     if camera.mapping == Mapping::Equidistant {
         picture.cover(|column, row| camera.coverage(column, row) as f32);
+    }
+    if let Some(field) = &scene.stars {
+        stars::draw(picture, &scene.lens, field, scene.rendition);
     }
 }
 

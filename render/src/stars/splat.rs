@@ -45,12 +45,17 @@ fn middle(column: f64, row: u32) -> DVec2 {
 
 /// Adds a splat to a picture in perspective.
 pub(super) fn add(picture: &mut Picture, splat: &Splat) {
+    add_covered(picture, splat, |_, _| 1.0);
+}
+
+/// Adds a splat to a picture of which `share(column, row)` is the covered share of a pixel.
+fn add_covered(picture: &mut Picture, splat: &Splat, share: impl Fn(u32, u32) -> f64) {
     let (width, height) = (picture.width(), picture.height());
     for row in covered(splat.at.y, splat.reach, height) {
         for column in covered(splat.at.x, splat.reach, width) {
             let offset = middle(column.into(), row) - splat.at;
-            let light = splat.light * weight(offset, splat.reach) as f32;
-            picture.add(column, row, light.to_array());
+            let weight = weight(offset, splat.reach) * share(column, row);
+            picture.add(column, row, (splat.light * weight as f32).to_array());
         }
     }
 }
@@ -64,7 +69,8 @@ pub(super) fn add_curved(picture: &mut Picture, splat: &Splat, camera: &Camera) 
         Mapping::Perspective | Mapping::Equidistant => {
             let solid_angle = camera.pixel_solid_angle(from_centre(splat.at, camera));
             let light = splat.light / solid_angle.max(LEAST_SOLID_ANGLE) as f32;
-            add(picture, &Splat { light, ..*splat });
+            let share = |column, row| camera.coverage(column, row);
+            add_covered(picture, &Splat { light, ..*splat }, share);
         }
     }
 }
@@ -118,9 +124,10 @@ fn add_halo(picture: &mut Picture, splat: &Splat, camera: &Camera) {
     for row in covered(splat.at.y, splat.reach, camera.height) {
         for column in columns(splat, camera, row) {
             let apart = (ray(middle(column as f64, row)) - star).length() / camera.right.length();
-            let share = weight(DVec2::new(apart, 0.0), splat.reach) as f32;
-            let column = column.rem_euclid(camera.width.into()) as u32;
-            picture.add(column, row, (splat.light * share).to_array());
+            let column_in = column.rem_euclid(camera.width.into()) as u32;
+            let weight = weight(DVec2::new(apart, 0.0), splat.reach);
+            let share = (weight * camera.coverage(column_in, row)) as f32;
+            picture.add(column_in, row, (splat.light * share).to_array());
         }
     }
 }

@@ -66,9 +66,14 @@ pub struct FilmArgs {
     /// Pictures whose mean is a frame with motion blur.
     #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=1024))]
     pub subframes: u32,
-    /// Size of the frames.
-    #[arg(long, value_name = "WxH", default_value = "1920x1080", value_parser = size)]
-    pub size: (u32, u32),
+    /// Size of the frames [default: 1920x1080, a panorama 4096x2048, a fisheye or dome 2048x2048, a face of a cube
+    /// 1024x1024].
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<(u32, u32)>,
+    /// Field of view of all frames, instead of that of the path, which is at most 179; a fisheye or dome has up to 360
+    /// [default: 180].
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
+    pub fov: Option<f64>,
     /// Device to draw on; `auto` is the GPU if there is one.
     #[arg(short, long, value_enum, default_value_t = DeviceName::Auto)]
     pub device: DeviceName,
@@ -81,6 +86,13 @@ pub struct FilmArgs {
     /// The stars in front of its sky.
     #[command(flatten)]
     pub stars: StarArgs,
+}
+
+impl FilmArgs {
+    /// Size of the frames, pixels.
+    pub fn size(&self) -> (u32, u32) {
+        self.size.unwrap_or(self.drawing.projection.default_size())
+    }
 }
 
 /// A ready path.

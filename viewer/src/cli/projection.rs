@@ -3,6 +3,9 @@
 use clap::{Args, ValueEnum};
 use lensbake_render::camera::{CubeFace, Projection};
 
+/// Field of view of a fisheye or dome unless the user asks for another, degrees.
+pub const DISC_FOV_DEG: f64 = 180.0;
+
 /// Default tilt of a dome, degrees: none.
 const TILT: f64 = 0.0;
 

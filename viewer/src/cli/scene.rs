@@ -1,5 +1,6 @@
 //! Options of a scene: view, sky, table and device.
 
+use super::projection::DISC_FOV_DEG;
 use super::values::{place, size, sky};
 use clap::builder::{OsStringValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -226,7 +227,7 @@ impl ViewArgs {
     /// The view that the options describe, for a picture of this size in this projection.
     pub fn view(&self, (width, height): (u32, u32), projection: Projection) -> View {
         let fov_deg = self.fov.unwrap_or(match projection {
-            Projection::Fisheye | Projection::Dome { .. } => 180.0,
+            Projection::Fisheye | Projection::Dome { .. } => DISC_FOV_DEG,
             _ => View::default().fov_deg,
         });
         // The direction from the hole to the camera is opposite to the one in which the camera sees the hole.

@@ -33,7 +33,7 @@ use lensbake_studies::reference::StudyError;
 use lensbake_tables::{ContainerError, Table, container, default_atlas};
 use pollster::block_on;
 use std::borrow::Cow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use thiserror::Error;
 use viewer::window::WindowError;
 
@@ -160,6 +160,21 @@ fn spare_inputs(
         .chain(sky)
         .chain(stars)
         .try_for_each(|input| output.spares(input))
+}
+
+/// The path of one of several pictures: the name of the file with an ending before its extension.
+fn named(path: &Path, ending: &str) -> Result<PathBuf, CommandError> {
+    let (Some(stem), Some(extension)) = (path.file_stem(), path.extension()) else {
+        return Err(CommandError::Projection(
+            "--output: the six faces of a cube need a file name like cube.png",
+        ));
+    };
+    let mut name = stem.to_owned();
+    name.push("_");
+    name.push(ending);
+    name.push(".");
+    name.push(extension);
+    Ok(path.with_file_name(name))
 }
 
 /// The lens of `camera` with `table`, whose name in messages is `name`.

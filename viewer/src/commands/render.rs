@@ -2,7 +2,8 @@
 
 use super::metadata::{self, TableFacts};
 use super::{
-    CommandError, check_device, gpu_for, least, lens_of, renderer, spare_inputs, star_field, table,
+    CommandError, check_device, gpu_for, least, lens_of, named, renderer, spare_inputs, star_field,
+    table,
 };
 use crate::cli::{DeviceName, Exposure, LayerName, RenderArgs};
 use lensbake_program::output::Output;
@@ -20,7 +21,7 @@ use lensbake_render::shift::Rendition;
 use lensbake_render::sky;
 use lensbake_render::{cpu, exposure};
 use pollster::block_on;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -102,21 +103,6 @@ fn jobs(args: &RenderArgs, method: Deflection) -> Result<Vec<Job>, CommandError>
         })
     };
     projection.all().into_iter().map(job).collect()
-}
-
-/// The path of one of several pictures: the name of the file with an ending before its extension.
-fn named(path: &Path, ending: &str) -> Result<PathBuf, CommandError> {
-    let (Some(stem), Some(extension)) = (path.file_stem(), path.extension()) else {
-        return Err(CommandError::Projection(
-            "--output: the six faces of a cube need a file name like cube.png",
-        ));
-    };
-    let mut name = stem.to_owned();
-    name.push("_");
-    name.push(ending);
-    name.push(".");
-    name.push(extension);
-    Ok(path.with_file_name(name))
 }
 
 /// Draws a picture and writes its file; false if the light of some pixels could not be computed.

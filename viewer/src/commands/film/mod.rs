@@ -11,56 +11,108 @@ mod video;
 
 pub use error::FilmError;
 
-use super::{CommandError, check_device, gpu_for, renderer, star_field, table};
+use super::{CommandError, check_device, gpu_for, named, renderer, star_field, table};
 use crate::cli::{DeviceName, FilmArgs};
 use camera::FilmCamera;
 use lensbake_program::output;
 use lensbake_program::{Outcome, message};
-use lensbake_render::camera::Camera;
+use lensbake_render::camera::{Camera, Projection};
 use lensbake_render::sky;
 use pipeline::Summary;
 use plan::Plan;
+use std::sync::Arc;
 use target::Target;
 
 pub fn run(args: &FilmArgs) -> Result<Outcome, CommandError> {
-    let plan = Plan::new(args)?;
+    let projection = args.drawing.projection;
+    projection
+        .check(args.fov.is_some())
+        .map_err(CommandError::Projection)?;
     if let Some(file) = &args.save_path {
+        let plan = Plan::new(args, Projection::Perspective)?;
         output::write(file, plan.path.to_json().as_bytes())?;
         message!("wrote {}", file.display());
         return Ok(Outcome::Done);
     }
     check_device(&args.drawing, args.device == DeviceName::Cpu)?;
-    let narrowest = narrowest_camera(&plan)?;
-    let (target, frames) = Target::new(args, &plan)?;
-    let skipped = plan.frames.len() - frames.len();
-    if frames.is_empty() {
+    let films = projection.all().into_iter();
+    let films = films.map(|(ending, projection)| Film::new(args, ending, projection));
+    let films: Vec<Film> = films.collect::<Result<_, _>>()?;
+    if films.iter().all(|film| film.frames.is_empty()) {
+        let skipped: usize = films.iter().map(Film::skipped).sum();
         message!("all {skipped} frames exist already; --overwrite draws them anew");
         return Ok(Outcome::Done);
     }
     let (table, table_name) = table(&args.light)?;
-    let mut camera = FilmCamera {
-        plan: &plan,
+    let sky = Arc::new(sky::load(&args.light.sky)?);
+    let stars = star_field(&args.stars, &args.light.sky)?;
+    let gpu = gpu_for(args.device, &narrowest_camera(&films[0].plan)?)?;
+    check_device(&args.drawing, gpu.is_none())?;
+    let renderer = gpu.as_ref().map(|gpu| renderer(gpu, args.drawing.pass));
+    let renderer = renderer.transpose()?;
+    let cameras = films.iter().map(|film| FilmCamera {
+        plan: &film.plan,
         table: &table,
         table_name: &table_name,
         deflection: args.drawing.method.with_step(args.light.step),
         sampling: args.drawing.sampling.into(),
         shift: args.light.shift.into(),
         exposure: args.drawing.exposure,
-        keeps_light: target.keeps_light(),
-        sky: sky::load(&args.light.sky)?.into(),
-        renderer: None,
-    };
-    camera.check(&frames)?;
-    let stars = star_field(&args.stars, &args.light.sky)?;
-    let gpu = gpu_for(args.device, &narrowest)?;
-    check_device(&args.drawing, gpu.is_none())?;
-    let renderer = gpu.as_ref().map(|gpu| renderer(gpu, args.drawing.pass));
-    camera.renderer = renderer.transpose()?;
-    let summary = pipeline::expose(&camera, &frames, stars.as_ref(), &target)?;
-    target.finish()?;
-    message!("{}", report(&camera.device(), &summary, skipped));
-    message!("wrote {}", target.name());
-    Ok(outcome(&summary))
+        keeps_light: film.target.keeps_light(),
+        sky: sky.clone(),
+        renderer: renderer.clone(),
+    });
+    let takes: Vec<(FilmCamera, &Film)> = cameras.zip(&films).collect();
+    for (camera, film) in &takes {
+        camera.check(&film.frames)?;
+    }
+    let mut all = Outcome::Done;
+    for (camera, film) in &takes {
+        let summary = pipeline::expose(camera, &film.frames, stars.as_ref(), &film.target)?;
+        film.target.finish()?;
+        message!("{}", report(&camera.device(), &summary, film.skipped()));
+        message!("wrote {}", film.target.name());
+        if outcome(&summary) == Outcome::Missed {
+            all = Outcome::Missed;
+        }
+    }
+    Ok(all)
+}
+
+/// A film in one projection, and its target.
+struct Film {
+    plan: Plan,
+    target: Target,
+    /// The frames that are not there yet.
+    frames: Vec<u32>,
+}
+
+impl Film {
+    fn new(
+        args: &FilmArgs,
+        ending: Option<&str>,
+        projection: Projection,
+    ) -> Result<Self, CommandError> {
+        let plan = Plan::new(args, projection)?;
+        let output = args.output.as_deref().unwrap_or("".as_ref());
+        let path = match ending {
+            Some(ending) => named(output, ending)?,
+            None => output.to_owned(),
+        };
+        // The errors of the view come before those of the target.
+        narrowest_camera(&plan)?;
+        let (target, frames) = Target::new(&path, args, &plan)?;
+        Ok(Film {
+            plan,
+            target,
+            frames,
+        })
+    }
+
+    /// Number of frames that exist.
+    fn skipped(&self) -> usize {
+        self.plan.frames.len() - self.frames.len()
+    }
 }
 
 /// The camera of the film with the narrowest pixels, which decides whether a GPU is accurate enough: that of all frames, so

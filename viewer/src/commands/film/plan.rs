@@ -1,8 +1,9 @@
 //! What is to be filmed: the flight, and the times of the frames.
 
 use super::FilmError;
-use crate::cli::FilmArgs;
+use crate::cli::{DISC_FOV_DEG, FilmArgs};
 use lensbake_film::{FilmClock, Flight, FlightPath, FrameRange, ReadyPath, Shot, Shutter};
+use lensbake_render::camera::{Projection, View};
 use std::path::Path;
 
 /// Length of a film along a ready path unless the user names another, s.
@@ -17,10 +18,14 @@ pub(super) struct Plan {
     flight: Flight,
     shutter: Shutter,
     size: (u32, u32),
+    projection: Projection,
+    /// Field of view of all frames, instead of that of the path.
+    fov_deg: Option<f64>,
 }
 
 impl Plan {
-    pub(super) fn new(args: &FilmArgs) -> Result<Self, FilmError> {
+    /// The film in this projection, as the arguments describe it.
+    pub(super) fn new(args: &FilmArgs, projection: Projection) -> Result<Self, FilmError> {
         let shutter = Shutter::new(args.shutter, args.subframes)?;
         let (path, flight, seconds) = match (&args.file, args.path) {
             (Some(file), _) => from_file(file, args.seconds)?,
@@ -35,20 +40,35 @@ impl Plan {
             clock,
             flight,
             shutter,
-            size: args.size,
+            size: args.size(),
+            projection,
+            fov_deg: args.fov.or(match projection {
+                Projection::Fisheye | Projection::Dome { .. } => Some(DISC_FOV_DEG),
+                _ => None,
+            }),
         })
     }
 
     /// The shot of `frame`.
     pub(super) fn shot(&self, frame: u32) -> Shot {
-        self.flight.shot(self.clock.time(frame), self.size)
+        self.framed(self.flight.shot(self.clock.time(frame), self.size))
     }
 
     /// The shots at the moments of `frame` at which the shutter is open.
     pub(super) fn moments(&self, frame: u32) -> impl Iterator<Item = Shot> {
         let time = self.clock.time(frame);
         let times = self.shutter.times(time, self.clock.period());
-        times.map(move |moment| self.flight.shot_during(time, moment, self.size))
+        times.map(move |moment| self.framed(self.flight.shot_during(time, moment, self.size)))
+    }
+
+    /// The shot in the projection of the film.
+    fn framed(&self, shot: Shot) -> Shot {
+        let view = View {
+            projection: self.projection,
+            fov_deg: self.fov_deg.unwrap_or(shot.view.fov_deg),
+            ..shot.view
+        };
+        Shot { view, ..shot }
     }
 }
 

@@ -6,6 +6,7 @@ use super::plan::Plan;
 use super::video::{Video, VideoFormat};
 use crate::cli::FilmArgs;
 use lensbake_render::picture::{Picture, PictureFormat};
+use std::path::Path;
 use std::thread::available_parallelism;
 
 /// Where the frames go.
@@ -20,17 +21,20 @@ const MEMORY: usize = 1 << 30;
 const PIXEL_BYTES: usize = 32;
 
 impl Target {
-    /// The target that the arguments name, and the frames of `plan` that are not there yet. Everything about it is checked
+    /// The target at `path`, and the frames of `plan` that are not there yet. Everything about it is checked
     /// before a frame is drawn.
-    pub(super) fn new(args: &FilmArgs, plan: &Plan) -> Result<(Self, Vec<u32>), CommandError> {
-        let path = args.output.as_deref().unwrap_or("".as_ref());
+    pub(super) fn new(
+        path: &Path,
+        args: &FilmArgs,
+        plan: &Plan,
+    ) -> Result<(Self, Vec<u32>), CommandError> {
         match VideoFormat::of(path) {
             Some(format) => {
                 let video = Video::new(path, format, plan.clock.rate(), args)?;
                 Ok((Target::Video(video), plan.frames.clone()))
             }
             None => {
-                let files = FrameFiles::new(path, args.size)?;
+                let files = FrameFiles::new(path, args.size())?;
                 let frames = files.missing(&plan.frames, args)?;
                 Ok((Target::Files(files), frames))
             }

@@ -78,7 +78,7 @@ impl Video {
         rate: FrameRate,
         args: &FilmArgs,
     ) -> Result<Self, CommandError> {
-        let (width, height) = args.size;
+        let (width, height) = args.size();
         if width % 2 != 0 || height % 2 != 0 {
             return Err(FilmError::OddSize(width, height).into());
         }
