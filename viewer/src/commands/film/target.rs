@@ -23,6 +23,7 @@ impl Target {
     /// The target that the arguments name, and the frames of `plan` that are not there yet. Everything about it is checked
     /// before a frame is drawn.
     pub(super) fn new(args: &FilmArgs, plan: &Plan) -> Result<(Self, Vec<u32>), CommandError> {
+        // It is missing only with --save-path, which draws nothing.
         let path = args.output.as_deref().unwrap_or("".as_ref());
         match VideoFormat::of(path) {
             Some(format) => {
