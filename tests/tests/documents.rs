@@ -113,10 +113,11 @@ fn the_test_vectors_in_use_md_are_those_of_the_library() {
 }
 
 /// The packages that are drawn in docs/architecture.md: those below the tests.
-const PACKAGES: [&str; 9] = [
+const PACKAGES: [&str; 10] = [
     "core",
     "tables",
     "render",
+    "film",
     "interactive",
     "studies",
     "program",

@@ -26,7 +26,7 @@ pub struct FilmArgs {
         short,
         long,
         value_name = "R",
-        requires = "path",
+        conflicts_with = "file",
         allow_negative_numbers = true
     )]
     pub radius: Option<f64>,

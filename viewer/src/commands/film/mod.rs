@@ -94,6 +94,7 @@ impl Film {
         projection: Projection,
     ) -> Result<Self, CommandError> {
         let plan = Plan::new(args, projection)?;
+        // It is missing only with --save-path, which draws nothing.
         let output = args.output.as_deref().unwrap_or("".as_ref());
         let path = match ending {
             Some(ending) => named(output, ending)?,
