@@ -26,8 +26,7 @@ pub enum Ends {
 }
 
 impl Ends {
-    /// Whether it is the default.
-    pub fn is_gentle(&self) -> bool {
+    fn is_gentle(&self) -> bool {
         *self == Ends::Gentle
     }
 }
@@ -212,6 +211,18 @@ mod tests {
             assert_eq!(path.to_json().parse(), Ok(path.clone()));
             let text = serde_json::to_string(&path).unwrap();
             assert_eq!(text.parse(), Ok(path));
+        }
+    }
+
+    #[test]
+    fn the_motions_have_their_names() {
+        for motion in [
+            KeyframeMotion::Rest,
+            KeyframeMotion::Orbit,
+            KeyframeMotion::Fall,
+        ] {
+            assert_eq!(serde_json::to_value(motion).unwrap(), motion.name());
+            assert_eq!(motion.name().parse::<Motion>(), Ok(motion.into()));
         }
     }
 

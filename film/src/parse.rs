@@ -22,11 +22,12 @@ fn blame(text: &str, error: &serde_json::Error) -> PathError {
     let problem = error.to_string();
     let Ok(value) = serde_json::from_str::<Value>(text) else {
         return match field_before(text, error.line(), error.column()) {
-            Some(field) => PathError::Field {
+            // Where the text ends too early, the last field is not to blame.
+            Some(field) if !error.is_eof() => PathError::Field {
                 field: field.to_owned(),
                 problem,
             },
-            None => PathError::Json(problem),
+            _ => PathError::Json(problem),
         };
     };
     in_path(&value).unwrap_or(PathError::Json(problem))
@@ -193,6 +194,10 @@ mod tests {
                 &["keyframes[0]", "expected struct Keyframe"],
             ),
             (r#"{"keyframes": 3}"#, &["expected a sequence"]),
+            (
+                r#"{"keyframes": [{"time": 0}"#,
+                &["EOF while parsing a list"],
+            ),
             (r#"{"keyframes": [}"#, &["keyframes", "line 1 column"]),
         ] {
             refused(text, words);

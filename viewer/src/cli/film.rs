@@ -37,7 +37,8 @@ pub struct FilmArgs {
     /// Frames per second, a number or a ratio such as 30000/1001.
     #[arg(long, value_name = "N", default_value = "30")]
     pub fps: FrameRate,
-    /// Frames to draw: from frame A to before frame B, every STEP-th. Frames are numbered from 0; A or B may be left out.
+    /// Frames to draw: from frame A to before frame B, every STEP-th [default: all]. Frames are numbered from 0;
+    /// A or B may be left out.
     #[arg(long, value_name = "A..B[:STEP]")]
     pub frames: Option<FrameRange>,
     /// Files of the frames, such as frames/%05d.png or .exr (linear light); or a video, .mp4, .mkv or .webm, which ffmpeg
