@@ -37,7 +37,7 @@ fn filtering_counts_its_extra_rays_and_exposure_is_for_the_screen_alone() {
         let file = path(&folder, name);
         let scene = ["render", "--device", "cpu", "--size", "64x36", "-s", "grid"];
         let run = VIEWER.run(&[&scene[..], &["-r", "4", "-o", &file], more].concat());
-        (run.succeeds(), std::fs::read(file).unwrap())
+        (run.succeeds(), image::open(file).unwrap())
     };
     let (filtered, light) = draw("filtered.exr", &[]);
     assert!(filtered.stderr.contains("extra rays"), "{filtered:?}");
