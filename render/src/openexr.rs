@@ -8,7 +8,7 @@ use crate::layers::Channel;
 use crate::picture::{Picture, PictureError};
 use exr::prelude::{
     AnyChannel, AnyChannels, AttributeValue, Encoding, FlatSamples, Image, Layer, LayerAttributes,
-    Text, WritableImage,
+    SpecificChannels, Text, Vec2, WritableImage,
 };
 use lensbake_tables::exr_attributes::{encode_text, in_order};
 use std::io::Cursor;
@@ -45,6 +45,9 @@ pub fn encode(
     layers: Vec<Channel>,
     metadata: &Metadata,
 ) -> Result<Vec<u8>, PictureError> {
+    if layers.is_empty() {
+        return encode_light(picture, metadata);
+    }
     let of_picture = ["R", "G", "B"]
         .into_iter()
         .enumerate()
@@ -61,6 +64,24 @@ pub fn encode(
         attributes(metadata),
         Encoding::SMALL_LOSSLESS,
         AnyChannels::sort(of_picture.chain(of_layers).collect()),
+    );
+    let mut bytes = Cursor::new(Vec::new());
+    Image::from_layer(layer).write().to_buffered(&mut bytes)?;
+    Ok(in_order(bytes.into_inner()))
+}
+
+/// As [`encode`] without layers. The light of a large picture is not copied.
+fn encode_light(picture: &Picture, metadata: &Metadata) -> Result<Vec<u8>, PictureError> {
+    let width = picture.width() as usize;
+    let light = |at: Vec2<usize>| {
+        let [r, g, b] = picture.pixels()[at.y() * width + at.x()];
+        (r, g, b)
+    };
+    let layer = Layer::new(
+        (width, picture.height() as usize),
+        attributes(metadata),
+        Encoding::SMALL_LOSSLESS,
+        SpecificChannels::rgb(light),
     );
     let mut bytes = Cursor::new(Vec::new());
     Image::from_layer(layer).write().to_buffered(&mut bytes)?;
