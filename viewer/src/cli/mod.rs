@@ -11,7 +11,7 @@ mod values;
 pub use draw::{CatalogueArgs, DiffArgs, LayerName, PICTURE, RenderArgs, StarArgs, WindowArgs};
 pub use measure::{BenchArgs, ChartArgs, FlickerArgs, ReferenceArgs};
 pub use read::read;
-pub use recorded::{ATTRIBUTE, RecordedOptions};
+pub use recorded::{ATTRIBUTE, PROGRAM, RecordedOptions};
 pub use scene::{DeviceName, MethodName, PassName, SamplingName, SceneArgs, ViewArgs};
 pub use values::Exposure;
 

@@ -10,6 +10,7 @@ pub use error::LikeError;
 use super::recorded::{ATTRIBUTE, RecordVersion, RecordedOptions, VERSION};
 use super::values;
 use clap::ArgMatches;
+use clap::parser::ValueSource;
 use lensbake_render::picture::PictureFormat;
 use lensbake_render::sky::SkySource;
 use lensbake_tables::exr_guard::text_attribute;
@@ -62,6 +63,10 @@ impl Inherited {
         });
         if !is_exr {
             self.recorded.options.remove("aov");
+        }
+        // The kind of passes is for the recorded device; the CPU has none.
+        if given.value_source("device") == Some(ValueSource::CommandLine) {
+            self.recorded.options.remove("pass");
         }
         let arguments = self.recorded.arguments(given);
         let arguments = arguments.map_err(|option| LikeError::Unknown {
