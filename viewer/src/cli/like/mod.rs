@@ -4,7 +4,6 @@ mod error;
 #[cfg(test)]
 mod tests;
 
-use error::HEADER_BYTES;
 pub use error::LikeError;
 
 use super::recorded::{ATTRIBUTE, RecordVersion, RecordedOptions, VERSION};
@@ -19,6 +18,8 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
+/// Most bytes that are read of a picture. The header of those that `viewer render` writes takes two thousand.
+const HEADER_BYTES: u64 = 1 << 20;
 /// The first bytes of an OpenEXR file.
 const MAGIC: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
 
