@@ -17,7 +17,7 @@ pub use film::FilmArgs;
 pub use measure::{BenchArgs, ChartArgs, FlickerArgs, ReferenceArgs};
 pub use projection::{DISC_FOV_DEG, ProjectionArgs};
 pub use read::read;
-pub use recorded::{ATTRIBUTE, RecordedOptions};
+pub use recorded::{ATTRIBUTE, PROGRAM, RecordedOptions};
 pub use scene::{DeviceName, LightArgs, MethodName, PassName, SamplingName, SceneArgs};
 pub use values::Exposure;
 

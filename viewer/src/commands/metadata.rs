@@ -1,7 +1,7 @@
 //! The metadata of an .exr: for people, what the picture shows; for `--like`, the options that it was drawn with.
 
 use super::CommandError;
-use crate::cli::{ATTRIBUTE, MethodName, RenderArgs};
+use crate::cli::{ATTRIBUTE, MethodName, PROGRAM, RenderArgs};
 use lensbake_core::Motion;
 use lensbake_program::message;
 use lensbake_render::camera::{Projection, View};
@@ -75,7 +75,7 @@ pub fn of(
         ),
     }
     Ok(Metadata {
-        software: format!("lensbake viewer {}", env!("CARGO_PKG_VERSION")),
+        software: format!("lensbake viewer {PROGRAM}"),
         comments: format!(
             "The sky as a black hole deflects its light, seen by an observer {observer}"
         ),

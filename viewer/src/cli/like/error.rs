@@ -1,13 +1,11 @@
 //! Why the options of a picture cannot be used.
 
+use super::HEADER_BYTES;
 use crate::cli::recorded::{ATTRIBUTE, PROGRAM};
 use lensbake_tables::exr_guard::ExrError;
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
-
-/// Most bytes that are read of a picture. The header of those that `viewer render` writes takes two thousand.
-pub const HEADER_BYTES: u64 = 1 << 20;
 
 /// Why a picture cannot be drawn like another. Each message is one line.
 #[derive(Debug, Error)]

@@ -4,12 +4,12 @@ mod error;
 #[cfg(test)]
 mod tests;
 
-use error::HEADER_BYTES;
 pub use error::LikeError;
 
 use super::recorded::{ATTRIBUTE, RecordVersion, RecordedOptions, VERSION};
 use super::values;
 use clap::ArgMatches;
+use clap::parser::ValueSource;
 use lensbake_render::picture::PictureFormat;
 use lensbake_render::sky::SkySource;
 use lensbake_tables::exr_guard::text_attribute;
@@ -18,6 +18,8 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
+/// Most bytes that are read of a picture. The header of those that `viewer render` writes takes two thousand.
+const HEADER_BYTES: u64 = 1 << 20;
 /// The first bytes of an OpenEXR file.
 const MAGIC: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
 
@@ -62,6 +64,10 @@ impl Inherited {
         });
         if !is_exr {
             self.recorded.options.remove("aov");
+        }
+        // The kind of passes is for the recorded device; the CPU has none.
+        if given.value_source("device") == Some(ValueSource::CommandLine) {
+            self.recorded.options.remove("pass");
         }
         let arguments = self.recorded.arguments(given);
         let arguments = arguments.map_err(|option| LikeError::Unknown {
