@@ -3,7 +3,7 @@
 
 use glam::Vec3;
 use lensbake_core::Motion;
-use lensbake_render::camera::View;
+use lensbake_render::camera::{Projection, View};
 use lensbake_render::diff::PictureDifference;
 use lensbake_render::gpu::{
     FrameContent, Gpu, Pass, RealtimeRenderer, Renderer, ResidentScene, Stopwatch,
@@ -29,6 +29,7 @@ const VIEW: View = View {
     yaw_deg: 12.0,
     pitch_deg: 5.0,
     roll_deg: 3.0,
+    projection: Projection::Perspective,
     fov_deg: 90.0,
     width: 331,
     height: 187,

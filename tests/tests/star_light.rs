@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 use lensbake_core::Motion;
-use lensbake_render::camera::{Camera, View};
+use lensbake_render::camera::{Camera, Projection, View};
 use lensbake_render::cpu;
 use lensbake_render::diff::PictureDifference;
 use lensbake_render::gpu::{FrameContent, Gpu, RealtimeRenderer, Renderer, Stopwatch};
@@ -27,6 +27,7 @@ const VIEW: View = View {
     yaw_deg: 27.0,
     pitch_deg: 0.0,
     roll_deg: 0.0,
+    projection: Projection::Perspective,
     fov_deg: 40.0,
     width: 240,
     height: 160,

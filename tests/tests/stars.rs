@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3, Vec3};
 use lensbake_core::{Motion, Observer};
-use lensbake_render::camera::View;
+use lensbake_render::camera::{Projection, View};
 use lensbake_render::cpu;
 use lensbake_render::diff::PictureDifference;
 use lensbake_render::lens::{Deflection, Lens};
@@ -81,6 +81,7 @@ fn check_images(draw: impl Fn(&Scene) -> Picture, radius: f64, beta: f64) {
             yaw_deg: (target.side * target.theta).to_degrees() + 0.123 / zoom,
             pitch_deg: 0.456 / zoom,
             roll_deg: 10.0,
+            projection: Projection::Perspective,
             fov_deg: 2.0 * (0.5 * 192.0 * PIXEL / zoom).atan().to_degrees(),
             width: 192,
             height: 108,
