@@ -96,8 +96,13 @@ pub enum LayerName {
 }
 
 impl LayerName {
+    /// The layers of all these names.
+    pub fn layers_of(names: &[LayerName]) -> Vec<Layer> {
+        names.iter().flat_map(|name| name.layers()).collect()
+    }
+
     /// The layers of this name.
-    pub fn layers(self) -> Vec<Layer> {
+    fn layers(self) -> Vec<Layer> {
         match self {
             LayerName::Direction => vec![Layer::Direction],
             LayerName::Shift => vec![Layer::Shift],

@@ -1,6 +1,7 @@
 //! Options of `viewer film`.
 
-use super::draw::{DrawingArgs, StarArgs};
+use super::draw::{DrawingArgs, LayerName, StarArgs};
+use super::recorded::RecordedOptions;
 use super::scene::{DeviceName, LightArgs};
 use super::values::size;
 use clap::{Args, ValueEnum};
@@ -67,6 +68,9 @@ pub struct FilmArgs {
     /// Pictures whose mean is a frame with motion blur.
     #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=1024))]
     pub subframes: u32,
+    /// Layers beside the picture in the .exr of each frame, separated by commas, for compositing.
+    #[arg(long, value_name = "LAYER,…", value_enum, value_delimiter = ',')]
+    pub aov: Vec<LayerName>,
     /// Size of the frames [default: 1920x1080, a panorama 4096x2048, a fisheye or dome 2048x2048, a face of a cube
     /// 1024x1024].
     #[arg(long, value_name = "WxH", value_parser = size)]
@@ -87,6 +91,9 @@ pub struct FilmArgs {
     /// The stars in front of its sky.
     #[command(flatten)]
     pub stars: StarArgs,
+    /// What an .exr records of these options; `None` if a value is not UTF-8.
+    #[arg(skip)]
+    pub recorded: Option<RecordedOptions>,
 }
 
 impl FilmArgs {

@@ -25,10 +25,13 @@ pub fn read() -> Result<Cli, String> {
         matches = merged.map_err(|error| error.to_string())?;
     }
     let mut cli: Cli = arguments::of(&matches)?;
-    if let (Some(Command::Render(args)), Some(given)) =
-        (&mut cli.command, matches.subcommand_matches(RENDER))
-    {
-        args.recorded = RecordedOptions::of(given);
+    let recorded = matches
+        .subcommand()
+        .and_then(|(_, given)| RecordedOptions::of(given));
+    match &mut cli.command {
+        Some(Command::Render(args)) => args.recorded = recorded,
+        Some(Command::Film(args)) => args.recorded = recorded,
+        _ => {}
     }
     Ok(cli)
 }

@@ -4,6 +4,7 @@ use super::Cli;
 use super::read::RENDER;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, Command, CommandFactory};
+use lensbake_render::camera::{Projection, View};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -42,13 +43,13 @@ pub struct RecordVersion {
 }
 
 impl RecordedOptions {
-    /// The options of `viewer render` with these matches; `None` if a value is not UTF-8. Defaults that conflict with an
-    /// option that is given are left out.
+    /// The options of `viewer render` among these matches, which may be those of another command that shares options with
+    /// it; `None` if a value is not UTF-8. Defaults that conflict with an option that is given are left out.
     pub fn of(matches: &ArgMatches) -> Option<Self> {
         let command = render();
         let given = Given::new(&command, matches);
         let mut options = BTreeMap::new();
-        for (name, option) in recordable(&command) {
+        for (name, option) in recordable(&command).filter(|(_, option)| has(matches, option)) {
             let is_given = given.sets(option);
             if !is_given && given.excludes(option) {
                 continue;
@@ -69,6 +70,34 @@ impl RecordedOptions {
             program: PROGRAM.to_owned(),
             options,
         })
+    }
+
+    /// The same options, with the camera of `view`.
+    pub fn with_camera(mut self, view: &View) -> Self {
+        let fov = match view.projection {
+            Projection::Equirectangular | Projection::CubeFace(_) => None,
+            Projection::Perspective | Projection::Fisheye | Projection::Dome { .. } => {
+                Some(view.fov_deg.to_string())
+            }
+        };
+        let options = [
+            ("radius", Some(view.radius.to_string())),
+            ("motion", Some(view.motion.to_string())),
+            ("heading", Some(view.heading_deg.to_string())),
+            ("yaw", Some(view.yaw_deg.to_string())),
+            ("pitch", Some(view.pitch_deg.to_string())),
+            ("roll", Some(view.roll_deg.to_string())),
+            ("orbit", Some(view.orbit_deg.to_string())),
+            ("latitude", Some(view.latitude_deg.to_string())),
+            ("size", Some(format!("{}x{}", view.width, view.height))),
+            ("fov", fov),
+        ];
+        for (name, value) in options {
+            self.options.remove(name);
+            let value = value.map(|value| (name.to_owned(), vec![value]));
+            self.options.extend(value);
+        }
+        self
     }
 
     /// The arguments for the recorded options that `matches` neither sets nor excludes.
@@ -110,6 +139,11 @@ fn recordable(command: &Command) -> impl Iterator<Item = (&str, &Arg)> {
     named.filter(|(name, _)| !NOT_RECORDED.contains(name))
 }
 
+/// Whether the command of these matches has this option, too.
+fn has(matches: &ArgMatches, option: &Arg) -> bool {
+    matches.try_contains_id(option.get_id().as_str()).is_ok()
+}
+
 fn takes_values(option: &Arg) -> bool {
     option.get_action().takes_values()
 }
@@ -123,7 +157,8 @@ struct Given<'a> {
 impl<'a> Given<'a> {
     fn new(command: &'a Command, matches: &ArgMatches) -> Self {
         let is_given = |option: &&Arg| {
-            matches.value_source(option.get_id().as_str()) == Some(ValueSource::CommandLine)
+            has(matches, option)
+                && matches.value_source(option.get_id().as_str()) == Some(ValueSource::CommandLine)
         };
         Given {
             command,

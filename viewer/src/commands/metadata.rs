@@ -1,9 +1,10 @@
 //! The metadata of an .exr: for people, what the picture shows; for `--like`, the options that it was drawn with.
 
 use super::CommandError;
-use crate::cli::{ATTRIBUTE, MethodName, PROGRAM, RenderArgs};
+use crate::cli::{
+    ATTRIBUTE, DrawingArgs, LightArgs, MethodName, PROGRAM, RecordedOptions, StarArgs,
+};
 use lensbake_core::Motion;
-use lensbake_program::message;
 use lensbake_render::camera::{Projection, View};
 use lensbake_render::lens::Lens;
 use lensbake_render::openexr::{Metadata, Value};
@@ -35,13 +36,27 @@ impl TableFacts {
     }
 }
 
-/// The metadata of the picture of `view` that `args` describe, drawn with `table` on `device`. If its options cannot be recorded, a
-/// message says so.
+/// What a picture is drawn of and how, apart from its camera.
+#[derive(Debug, Clone, Copy)]
+pub struct Described<'a> {
+    /// Sky, table and frequency shift.
+    pub light: &'a LightArgs,
+    /// How it is drawn.
+    pub drawing: &'a DrawingArgs,
+    /// The stars.
+    pub stars: &'a StarArgs,
+    /// The error budget of the least model, if it is drawn with that.
+    pub budget_px: Option<f64>,
+    /// The options to record, if they can be.
+    pub recorded: Option<&'a RecordedOptions>,
+}
+
+/// The metadata of the picture of `view`, drawn with `table` on `device`.
 ///
 /// # Errors
 /// [`CommandError::Json`] if they cannot be written as JSON.
 pub fn of(
-    args: &RenderArgs,
+    of: &Described,
     view: &View,
     table: &TableFacts,
     device: &str,
@@ -53,8 +68,8 @@ pub fn of(
         ("lensbake.radius", Value::Real(view.radius)),
         text("lensbake.motion", &view.motion.to_string()),
         text("lensbake.camera", &camera(view)),
-        text("lensbake.sky", &sky(&args.scene.view.light.sky)),
-        text("lensbake.method", &method(args)),
+        text("lensbake.sky", &sky(&of.light.sky)),
+        text("lensbake.method", &method(of)),
         text("lensbake.table", &table.name),
         text("lensbake.device", device),
     ];
@@ -63,16 +78,10 @@ pub fn of(
             .error
             .map(|error| ("lensbake.tableError", Value::Real(error))),
     );
-    attributes.extend(stars(args).map(|stars| ("lensbake.stars", Value::Text(stars))));
-    match &args.recorded {
-        Some(recorded) => {
-            let json = serde_json::to_string(recorded).map_err(CommandError::Json)?;
-            attributes.push((ATTRIBUTE, Value::Text(json)));
-        }
-        None => message!(
-            "viewer: {} does not record its options for --like, because one of its paths is not UTF-8",
-            args.output.display()
-        ),
+    attributes.extend(stars(of).map(|stars| ("lensbake.stars", Value::Text(stars))));
+    if let Some(recorded) = of.recorded {
+        let json = serde_json::to_string(recorded).map_err(CommandError::Json)?;
+        attributes.push((ATTRIBUTE, Value::Text(json)));
     }
     Ok(Metadata {
         software: format!("lensbake viewer {PROGRAM}"),
@@ -84,14 +93,13 @@ pub fn of(
 }
 
 /// The deflection method.
-fn method(args: &RenderArgs) -> String {
-    match (args.budget_px, args.drawing.method) {
+fn method(of: &Described) -> String {
+    match (of.budget_px, of.drawing.method) {
         (Some(budget_px), _) => format!("the least model within {budget_px} px"),
         (None, MethodName::Lut) => "table lookup".to_owned(),
-        (None, MethodName::Direct) => format!(
-            "direct integration in steps of {} rad",
-            args.scene.view.light.step
-        ),
+        (None, MethodName::Direct) => {
+            format!("direct integration in steps of {} rad", of.light.step)
+        }
         (None, MethodName::Flat) => "no deflection".to_owned(),
     }
 }
@@ -141,8 +149,8 @@ fn sky(source: &SkySource) -> String {
 }
 
 /// The catalogue of the stars, if there are any.
-fn stars(args: &RenderArgs) -> Option<String> {
-    match args.stars.source(&args.scene.view.light.sky)? {
+fn stars(of: &Described) -> Option<String> {
+    match of.stars.source(&of.light.sky)? {
         StarSource::Hipparcos => Some("hipparcos".to_owned()),
         StarSource::File(path) => Some(path.display().to_string()),
     }

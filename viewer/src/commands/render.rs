@@ -1,6 +1,6 @@
 //! `viewer render`: draws a picture to a file.
 
-use super::metadata::{self, TableFacts};
+use super::metadata::{self, Described, TableFacts};
 use super::{
     CommandError, check_device, gpu_for, least, lens_of, named, renderer, spare_inputs, star_field,
     table,
@@ -11,7 +11,7 @@ use lensbake_program::{Outcome, Printer, Progress, message};
 use lensbake_render::camera::{Camera, View};
 use lensbake_render::filter::FilteredPixels;
 use lensbake_render::gpu::{GpuError, Renderer};
-use lensbake_render::layers::{self, Channel, Layer};
+use lensbake_render::layers::{self, Channel};
 use lensbake_render::lens::{Deflection, Lens};
 use lensbake_render::model::DEFAULT_BUDGET_PX;
 use lensbake_render::openexr;
@@ -123,7 +123,7 @@ fn picture(
         PictureFormat::Png => picture.encode(file.format, exposure)?,
         PictureFormat::OpenExr => {
             let layers = layers(&args.aov, scene);
-            let metadata = metadata::of(args, view, table, &device)?;
+            let metadata = metadata::of(&described(args), view, table, &device)?;
             openexr::encode(&picture, layers, &metadata)?
         }
     };
@@ -179,10 +179,27 @@ impl PictureFile {
     }
 }
 
+/// What the arguments say of the picture apart from its camera. A message says if its options cannot be recorded.
+fn described(args: &RenderArgs) -> Described<'_> {
+    if args.recorded.is_none() {
+        message!(
+            "viewer: {} does not record its options for --like, because one of its paths is not UTF-8",
+            args.output.display()
+        );
+    }
+    Described {
+        light: &args.scene.view.light,
+        drawing: &args.drawing,
+        stars: &args.stars,
+        budget_px: args.budget_px,
+        recorded: args.recorded.as_ref(),
+    }
+}
+
 /// The channels of the layers `names` of `scene`.
 fn layers(names: &[LayerName], scene: &Scene) -> Vec<Channel> {
-    let layers: Vec<Layer> = names.iter().flat_map(|name| name.layers()).collect();
     let progress = Progress::new("tracing layers", scene.lens.camera.height.into());
+    let layers = LayerName::layers_of(names);
     let channels = layers::trace(&scene.lens, &layers, scene.sampling, || progress.step());
     progress.finish();
     channels

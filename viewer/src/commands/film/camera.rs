@@ -5,7 +5,7 @@ use super::latent::Latent;
 use super::plan::Plan;
 use crate::cli::Exposure;
 use lensbake_film::Shot;
-use lensbake_render::camera::Camera;
+use lensbake_render::camera::{Camera, View};
 use lensbake_render::gpu::{GpuError, Renderer};
 use lensbake_render::lens::{Deflection, Lens};
 use lensbake_render::picture::Picture;
@@ -47,23 +47,24 @@ impl FilmCamera<'_> {
     pub(super) fn check(&self, frames: &[u32]) -> Result<(), CommandError> {
         frames
             .iter()
-            .try_for_each(|&frame| self.lens(&self.plan.shot(frame)).map(drop))
+            .try_for_each(|&frame| self.lens(&self.plan.shot(frame).view).map(drop))
     }
 
     /// Draws the light of `frame`.
     pub(super) fn expose(&self, frame: u32) -> Result<Latent, CommandError> {
-        let (rendition, exposure) = self.exposed(&self.plan.shot(frame))?;
-        let mut latent = Latent::new(frame, rendition, exposure);
+        let shot = self.plan.shot(frame);
+        let (rendition, exposure) = self.exposed(&shot)?;
+        let mut latent = Latent::new(frame, shot.view, rendition, exposure);
         for shot in self.plan.moments(frame) {
-            let lens = self.lens(&shot)?;
+            let lens = self.lens(&shot.view)?;
             let light = self.draw(&lens, rendition)?;
             latent.add(light, lens);
         }
         Ok(latent)
     }
 
-    fn lens(&self, shot: &Shot) -> Result<Lens, CommandError> {
-        let camera = Camera::new(&shot.view)?;
+    pub(super) fn lens(&self, view: &View) -> Result<Lens, CommandError> {
+        let camera = Camera::new(view)?;
         lens_of(camera, self.table, self.table_name, self.deflection)
     }
 
@@ -77,7 +78,7 @@ impl FilmCamera<'_> {
         let (rendition, stops) = match self.exposure {
             Exposure::Stops(stops) => (plain, stops),
             Exposure::Automatic => {
-                let stops = exposure::automatic(&self.lens(shot)?, self.shift);
+                let stops = exposure::automatic(&self.lens(&shot.view)?, self.shift);
                 let light_scale = stops.exp2();
                 (
                     Rendition {

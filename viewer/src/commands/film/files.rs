@@ -2,10 +2,12 @@
 
 use super::super::{CommandError, spare_inputs};
 use super::FilmError;
+use super::latent::Developed;
+use super::slate::Slate;
 use crate::cli::FilmArgs;
 use lensbake_film::FrameNames;
 use lensbake_program::output::Output;
-use lensbake_render::picture::{Picture, PictureFormat};
+use lensbake_render::picture::PictureFormat;
 use std::path::Path;
 
 /// The files of the frames.
@@ -55,13 +57,11 @@ impl FrameFiles {
         Ok(missing)
     }
 
-    pub(super) fn write(
-        &self,
-        frame: u32,
-        picture: &Picture,
-        exposure: f32,
-    ) -> Result<(), CommandError> {
-        let bytes = picture.encode(self.format, exposure)?;
-        Ok(Output::binary(&self.names.path(frame))?.write(&bytes)?)
+    pub(super) fn write(&self, frame: &Developed, slate: &Slate) -> Result<(), CommandError> {
+        let bytes = match self.format {
+            PictureFormat::OpenExr => slate.openexr(frame)?,
+            PictureFormat::Png => frame.picture.encode(self.format, frame.exposure)?,
+        };
+        Ok(Output::binary(&self.names.path(frame.frame))?.write(&bytes)?)
     }
 }

@@ -1,5 +1,6 @@
 //! A frame between drawing and encoding.
 
+use lensbake_render::camera::View;
 use lensbake_render::lens::Lens;
 use lensbake_render::picture::Picture;
 use lensbake_render::shift::Rendition;
@@ -7,18 +8,31 @@ use lensbake_render::stars::{self, StarField};
 
 /// A latent frame: the light of its sky, summed over the moments at which the shutter was open, still without stars.
 pub(super) struct Latent {
-    pub(super) frame: u32,
+    frame: u32,
     /// Exposure of its file, stops.
-    pub(super) exposure: f32,
+    exposure: f32,
+    /// What the frame shows at its time.
+    view: View,
     rendition: Rendition,
     light: Option<Picture>,
     moments: Vec<Lens>,
 }
 
+/// A frame to be encoded.
+pub(super) struct Developed {
+    pub(super) frame: u32,
+    /// Exposure of its file, stops.
+    pub(super) exposure: f32,
+    /// What it shows at its time.
+    pub(super) view: View,
+    pub(super) picture: Picture,
+}
+
 impl Latent {
-    pub(super) fn new(frame: u32, rendition: Rendition, exposure: f32) -> Self {
+    pub(super) fn new(frame: u32, view: View, rendition: Rendition, exposure: f32) -> Self {
         Latent {
             frame,
+            view,
             exposure,
             rendition,
             light: None,
@@ -35,8 +49,8 @@ impl Latent {
         self.moments.push(lens);
     }
 
-    /// The picture: the mean over its moments, with the stars of `field`. `None` without moments.
-    pub(super) fn developed(self, field: Option<&StarField>) -> Option<Picture> {
+    /// The frame: the mean over its moments, with the stars of `field`. `None` without moments.
+    pub(super) fn developed(self, field: Option<&StarField>) -> Option<Developed> {
         let mut picture = self.light?;
         if let Some(field) = field {
             for lens in &self.moments {
@@ -46,6 +60,11 @@ impl Latent {
         if self.moments.len() > 1 {
             picture.scale(1.0 / self.moments.len() as f32);
         }
-        Some(picture)
+        Some(Developed {
+            frame: self.frame,
+            exposure: self.exposure,
+            view: self.view,
+            picture,
+        })
     }
 }

@@ -6,6 +6,7 @@ mod files;
 mod latent;
 mod pipeline;
 mod plan;
+mod slate;
 mod target;
 mod video;
 
@@ -20,6 +21,7 @@ use lensbake_render::camera::{Camera, Projection};
 use lensbake_render::sky;
 use pipeline::Summary;
 use plan::Plan;
+use slate::Slate;
 use std::sync::Arc;
 use target::Target;
 
@@ -68,7 +70,8 @@ pub fn run(args: &FilmArgs) -> Result<Outcome, CommandError> {
     }
     let mut all = Outcome::Done;
     for (camera, film) in &takes {
-        let summary = pipeline::expose(camera, &film.frames, stars.as_ref(), &film.target)?;
+        let slate = Slate { args, camera };
+        let summary = pipeline::expose(&film.frames, stars.as_ref(), &film.target, &slate)?;
         film.target.finish()?;
         message!("{}", report(&camera.device(), &summary, film.skipped()));
         message!("wrote {}", film.target.name());
@@ -103,6 +106,9 @@ impl Film {
         // The errors of the view come before those of the target.
         narrowest_camera(&plan)?;
         let (target, frames) = Target::new(&path, args, &plan)?;
+        if !target.keeps_light() && !args.aov.is_empty() {
+            return Err(CommandError::LayersNeedExr(path));
+        }
         Ok(Film {
             plan,
             target,

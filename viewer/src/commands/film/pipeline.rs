@@ -1,8 +1,8 @@
 //! Draws the frames and, at the same time in other threads, adds the stars, encodes and writes them.
 
 use super::super::CommandError;
-use super::camera::FilmCamera;
 use super::latent::Latent;
+use super::slate::Slate;
 use super::target::Target;
 use lensbake_program::Progress;
 use lensbake_render::picture::WithoutValue;
@@ -40,10 +40,10 @@ struct Done {
 
 /// Draws `frames` in order to `target`. After a failure, the frames that were drawn before it are still written.
 pub(super) fn expose(
-    camera: &FilmCamera,
     frames: &[u32],
     stars: Option<&StarField>,
     target: &Target,
+    slate: &Slate,
 ) -> Result<Summary, CommandError> {
     let (progress, started) = (
         Progress::new("filming", frames.len() as u64),
@@ -57,14 +57,14 @@ pub(super) fn expose(
         for _ in 0..threads {
             let receiver = receiver.clone();
             let (done, progress) = (&done, &progress);
-            scope.spawn(move || develop_all(&receiver, stars, target, done, progress));
+            scope.spawn(move || develop_all(&receiver, stars, target, slate, done, progress));
         }
         // Without receivers, which end at the first failure, sending fails instead of waiting.
         drop(receiver);
         let mut drawing = Duration::ZERO;
         for &frame in frames {
             let begun = Instant::now();
-            let latent = camera.expose(frame)?;
+            let latent = slate.camera.expose(frame)?;
             drawing += begun.elapsed();
             if lock(&done).failure.is_some() || sender.send(latent).is_err() {
                 break;
@@ -92,6 +92,7 @@ fn develop_all(
     receiver: &Mutex<Receiver<Latent>>,
     stars: Option<&StarField>,
     target: &Target,
+    slate: &Slate,
     done: &Mutex<Done>,
     progress: &Progress,
 ) {
@@ -99,11 +100,10 @@ fn develop_all(
         let received = lock(receiver).recv();
         let Ok(latent) = received else { return };
         let begun = Instant::now();
-        let (frame, exposure) = (latent.frame, latent.exposure);
-        let Some(picture) = latent.developed(stars) else {
+        let Some(frame) = latent.developed(stars) else {
             continue;
         };
-        let written = target.write(frame, &picture, exposure);
+        let written = target.write(&frame, slate);
         let mut done = lock(done);
         if let Err(failure) = written {
             done.failure.get_or_insert(failure);
@@ -111,9 +111,9 @@ fn develop_all(
         }
         done.frames += 1;
         done.encoding += begun.elapsed();
-        if let Some(lost) = picture.without_value() {
-            let first = done.first_lost.filter(|&(first, _)| first < frame);
-            done.first_lost = first.or(Some((frame, lost)));
+        if let Some(lost) = frame.picture.without_value() {
+            let first = done.first_lost.filter(|&(first, _)| first < frame.frame);
+            done.first_lost = first.or(Some((frame.frame, lost)));
         }
         progress.step();
     }

@@ -2,10 +2,12 @@
 
 use super::super::CommandError;
 use super::files::FrameFiles;
+use super::latent::Developed;
 use super::plan::Plan;
+use super::slate::Slate;
 use super::video::{Video, VideoFormat};
 use crate::cli::FilmArgs;
-use lensbake_render::picture::{Picture, PictureFormat};
+use lensbake_render::picture::PictureFormat;
 use std::path::Path;
 use std::thread::available_parallelism;
 
@@ -67,16 +69,11 @@ impl Target {
         }
     }
 
-    /// Writes a frame at an exposure in stops.
-    pub(super) fn write(
-        &self,
-        frame: u32,
-        picture: &Picture,
-        exposure: f32,
-    ) -> Result<(), CommandError> {
+    /// Writes a frame.
+    pub(super) fn write(&self, frame: &Developed, slate: &Slate) -> Result<(), CommandError> {
         match self {
-            Target::Files(files) => files.write(frame, picture, exposure),
-            Target::Video(video) => Ok(video.write(&picture.srgb(exposure))?),
+            Target::Files(files) => files.write(frame, slate),
+            Target::Video(video) => Ok(video.write(&frame.picture.srgb(frame.exposure))?),
         }
     }
 
