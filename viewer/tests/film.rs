@@ -682,7 +682,7 @@ fn a_frame_has_layers_and_can_be_drawn_again_from_itself() {
         VIEWER
             .run(&["render", "--like", &file("7.exr"), "-o", &again])
             .succeeds();
-        let [frame, again] = [file("7.exr"), again].map(|name| std::fs::read(name).unwrap());
+        let [frame, again] = [file("7.exr"), again].map(|name| fs::read(name).unwrap());
         assert!(frame == again, "{path}");
         let names = String::from_utf8_lossy(&frame);
         assert!(names.contains("shift.V") && names.contains("uv.U"));
