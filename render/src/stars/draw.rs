@@ -23,21 +23,37 @@ pub struct Splat {
 
 /// Adds the stars of `field`, seen through `lens`, to `picture`.
 pub fn draw(picture: &mut Picture, lens: &Lens, field: &StarField, rendition: Rendition) {
-    for splat in splats(lens, field, rendition) {
-        add(picture, &splat);
+    add_splats(picture, &splats(lens, field, rendition));
+}
+
+/// Adds the light of `splats` to `picture`, in their order.
+pub(super) fn add_splats(picture: &mut Picture, splats: &[Splat]) {
+    for splat in splats {
+        add(picture, splat);
     }
 }
 
 /// The splats of the stars of `field`, seen through `lens`, in this rendition.
 pub fn splats(lens: &Lens, field: &StarField, rendition: Rendition) -> Vec<Splat> {
-    let inverse = InverseLens::of(lens);
+    let (inverse, stars) = (InverseLens::of(lens), field.stars.par_iter());
+    splats_of(lens, &inverse, stars, field.disc_radius, rendition)
+}
+
+/// The splats of `stars` of the angular radius `disc_radius` (rad), in their order.
+pub(super) fn splats_of<'a>(
+    lens: &Lens,
+    inverse: &InverseLens,
+    stars: impl ParallelIterator<Item = &'a PointStar>,
+    disc_radius: f64,
+    rendition: Rendition,
+) -> Vec<Splat> {
     let per_star = |star: &PointStar| {
-        let mut drawing = Drawing::new(lens, &inverse, field.disc_radius, rendition);
+        let mut drawing = Drawing::new(lens, inverse, disc_radius, rendition);
         drawing.add_points(star);
         drawing.add_arcs(star);
         drawing.splats
     };
-    field.stars.par_iter().flat_map_iter(per_star).collect()
+    stars.flat_map_iter(per_star).collect()
 }
 
 /// The splats of the arcs of `stars`, seen through `lens`. A star that is not on the optical axis has none.

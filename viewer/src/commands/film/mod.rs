@@ -18,6 +18,7 @@ use lensbake_program::output;
 use lensbake_program::{Outcome, message};
 use lensbake_render::camera::Camera;
 use lensbake_render::sky;
+use lensbake_render::stars::SortedStars;
 use pipeline::Summary;
 use plan::Plan;
 use target::Target;
@@ -51,7 +52,7 @@ pub fn run(args: &FilmArgs) -> Result<Outcome, CommandError> {
         renderer: None,
     };
     camera.check(&frames)?;
-    let stars = star_field(&args.stars, &args.light.sky)?;
+    let stars = star_field(&args.stars, &args.light.sky)?.map(SortedStars::new);
     let gpu = gpu_for(args.device, &narrowest)?;
     check_device(&args.drawing, gpu.is_none())?;
     let renderer = gpu.as_ref().map(|gpu| renderer(gpu, args.drawing.pass));

@@ -6,7 +6,7 @@ use super::latent::Latent;
 use super::target::Target;
 use lensbake_program::Progress;
 use lensbake_render::picture::WithoutValue;
-use lensbake_render::stars::StarField;
+use lensbake_render::stars::SortedStars;
 use std::sync::mpsc::{Receiver, sync_channel};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
@@ -42,7 +42,7 @@ struct Done {
 pub(super) fn expose(
     camera: &FilmCamera,
     frames: &[u32],
-    stars: Option<&StarField>,
+    stars: Option<&SortedStars>,
     target: &Target,
 ) -> Result<Summary, CommandError> {
     let (progress, started) = (
@@ -90,7 +90,7 @@ pub(super) fn expose(
 /// Encodes and writes frames until there are no more, or one fails.
 fn develop_all(
     receiver: &Mutex<Receiver<Latent>>,
-    stars: Option<&StarField>,
+    stars: Option<&SortedStars>,
     target: &Target,
     done: &Mutex<Done>,
     progress: &Progress,
