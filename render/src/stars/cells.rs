@@ -25,6 +25,8 @@ pub struct Cells {
     /// Sorted by cell and, within a cell, in Morton order. Neighbours in the sky are then near each other in this
     /// array, and the GPU writes their images to nearby memory.
     stars: Vec<PointStar>,
+    /// Index of each star in the field.
+    in_field: Vec<u32>,
     /// Light of each star in its brightest channel.
     lights: Vec<f32>,
     disc_radius: f64,
@@ -61,6 +63,11 @@ impl Candidate {
     fn new(star: u32, order: usize) -> Self {
         Candidate(star | (order as u32) << 24)
     }
+
+    /// Index of its star in [`Cells::stars`].
+    fn star(self) -> u32 {
+        self.0 & 0xff_ffff
+    }
 }
 
 impl Cells {
@@ -76,16 +83,18 @@ impl Cells {
             let cell = (face as u32 * CELLS + row) * CELLS + column;
             (cell, interleaved(fine.map(|fine| fine % MORTON_STEPS)))
         };
-        let placed = |star: &PointStar| (place(star.direction), *star);
-        let mut placed: Vec<((u32, u32), PointStar)> = field.stars.iter().map(placed).collect();
-        placed.sort_by_key(|(place, _)| *place);
+        let placed = |(index, star): (u32, &PointStar)| (place(star.direction), *star, index);
+        let mut placed: Vec<((u32, u32), PointStar, u32)> =
+            (0..).zip(&field.stars).map(placed).collect();
+        placed.sort_by_key(|(place, ..)| *place);
         let mut next = 0;
-        let cells = placed.chunk_by(|(a, _), (b, _)| a.0 == b.0).map(|stars| {
+        let cells = placed.chunk_by(|(a, ..), (b, ..)| a.0 == b.0).map(|stars| {
             let first = next;
             next += stars.len() as u32;
             let middle = middle_of(stars[0].0.0);
-            let from_middle = |(_, star): &(_, PointStar)| star.direction.angle_between(middle);
-            let lights = stars.iter().map(|(_, star)| star.light.max_element());
+            let from_middle =
+                |(_, star, _): &(_, PointStar, _)| star.direction.angle_between(middle);
+            let lights = stars.iter().map(|(_, star, _)| star.light.max_element());
             Cell {
                 middle,
                 radius: stars.iter().map(from_middle).fold(0.0, f64::max),
@@ -94,9 +103,11 @@ impl Cells {
             }
         });
         let cells = cells.collect();
-        let stars: Vec<PointStar> = placed.into_iter().map(|(_, star)| star).collect();
+        let in_field = placed.iter().map(|(.., index)| *index).collect();
+        let stars: Vec<PointStar> = placed.into_iter().map(|(_, star, _)| star).collect();
         Cells {
             cells,
+            in_field,
             lights: stars.iter().map(|star| star.light.max_element()).collect(),
             stars,
             disc_radius: field.disc_radius,
@@ -111,6 +122,16 @@ impl Cells {
     /// All stars of the field; [`Candidates`] holds indices in this slice.
     pub fn stars(&self) -> &[PointStar] {
         &self.stars
+    }
+
+    /// The stars of `candidates` as indices in the field, each once and in order.
+    pub(super) fn in_field(&self, candidates: &Candidates) -> Vec<u32> {
+        let points = candidates.points.iter().map(|candidate| candidate.star());
+        let stars = points.chain(candidates.arcs.iter().copied());
+        let mut stars: Vec<u32> = stars.map(|star| self.in_field[star as usize]).collect();
+        stars.sort_unstable();
+        stars.dedup();
+        stars
     }
 
     /// Replaces the contents of `candidates` by the images that the picture of `camera` may show through `lens`.

@@ -5,7 +5,7 @@ use super::images::{InverseLens, MAX_LIGHT, MIN_LIGHT};
 use super::kernel::spread;
 use super::splat::{Splat, add, add_curved};
 use super::{PointStar, StarField};
-use crate::camera::Mapping;
+use crate::camera::{Camera, Mapping};
 use crate::lens::Lens;
 use crate::picture::Picture;
 use crate::shift::{Rendition, Shift};
@@ -14,25 +14,40 @@ use rayon::prelude::*;
 
 /// Adds the stars of `field`, seen through `lens`, to `picture`.
 pub fn draw(picture: &mut Picture, lens: &Lens, field: &StarField, rendition: Rendition) {
-    let camera = &lens.camera;
-    for splat in splats(lens, field, rendition) {
+    add_splats(picture, &splats(lens, field, rendition), &lens.camera);
+}
+
+/// Adds the light of `splats`, seen by `camera`, to `picture`, in their order.
+pub(super) fn add_splats(picture: &mut Picture, splats: &[Splat], camera: &Camera) {
+    for splat in splats {
         match camera.mapping {
-            Mapping::Perspective => add(picture, &splat),
-            Mapping::Equirectangular | Mapping::Equidistant => add_curved(picture, &splat, camera),
+            Mapping::Perspective => add(picture, splat),
+            Mapping::Equirectangular | Mapping::Equidistant => add_curved(picture, splat, camera),
         }
     }
 }
 
 /// The splats of the stars of `field`, seen through `lens`, in this rendition.
 pub fn splats(lens: &Lens, field: &StarField, rendition: Rendition) -> Vec<Splat> {
-    let inverse = InverseLens::of(lens);
+    let (inverse, stars) = (InverseLens::of(lens), field.stars.par_iter());
+    splats_of(lens, &inverse, stars, field.disc_radius, rendition)
+}
+
+/// The splats of `stars` of the angular radius `disc_radius` (rad), in their order.
+pub(super) fn splats_of<'a>(
+    lens: &Lens,
+    inverse: &InverseLens,
+    stars: impl ParallelIterator<Item = &'a PointStar>,
+    disc_radius: f64,
+    rendition: Rendition,
+) -> Vec<Splat> {
     let per_star = |star: &PointStar| {
-        let mut drawing = Drawing::new(lens, &inverse, field.disc_radius, rendition);
+        let mut drawing = Drawing::new(lens, inverse, disc_radius, rendition);
         drawing.add_points(star);
         drawing.add_arcs(star);
         drawing.splats
     };
-    field.stars.par_iter().flat_map_iter(per_star).collect()
+    stars.flat_map_iter(per_star).collect()
 }
 
 /// The splats of the arcs of `stars`, seen through `lens`. A star that is not on the optical axis has none.

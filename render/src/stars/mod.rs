@@ -24,6 +24,7 @@ pub mod image_bounds;
 pub mod images;
 pub mod kernel;
 mod lines;
+mod sorted;
 mod splat;
 
 pub use catalogue::{Catalogue, DEFAULT_DISC_RADIUS, MAX_DISC_RADIUS, MAX_STARS, Star, direction};
@@ -33,6 +34,7 @@ pub use draw::draw;
 pub use error::{StarsError, StarsProblem};
 pub use field::{LIGHT_AT_MAGNITUDE_0, PointStar, StarField};
 pub use hipparcos::{hipparcos, read_hipparcos};
+pub use sorted::SortedStars;
 pub use splat::Splat;
 
 use std::fs;

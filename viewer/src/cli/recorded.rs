@@ -72,31 +72,36 @@ impl RecordedOptions {
         })
     }
 
-    /// The same options, with the camera of `view`.
-    pub fn with_camera(mut self, view: &View) -> Self {
-        let fov = match view.projection {
-            Projection::Equirectangular | Projection::CubeFace(_) => None,
-            Projection::Perspective | Projection::Fisheye | Projection::Dome { .. } => {
-                Some(view.fov_deg.to_string())
-            }
+    /// The same options, with the size and the field of view of `view`, whose defaults depend on the projection.
+    pub fn with_frame(self, view: &View) -> Self {
+        let has_fov = match view.projection {
+            Projection::Equirectangular | Projection::CubeFace(_) => false,
+            Projection::Perspective | Projection::Fisheye | Projection::Dome { .. } => true,
         };
-        let options = [
-            ("radius", Some(view.radius.to_string())),
-            ("motion", Some(view.motion.to_string())),
-            ("heading", Some(view.heading_deg.to_string())),
-            ("yaw", Some(view.yaw_deg.to_string())),
-            ("pitch", Some(view.pitch_deg.to_string())),
-            ("roll", Some(view.roll_deg.to_string())),
-            ("orbit", Some(view.orbit_deg.to_string())),
-            ("latitude", Some(view.latitude_deg.to_string())),
-            ("size", Some(format!("{}x{}", view.width, view.height))),
-            ("fov", fov),
+        let fov = has_fov.then(|| ("fov", view.fov_deg.to_string()));
+        let size = ("size", format!("{}x{}", view.width, view.height));
+        self.with([size].into_iter().chain(fov))
+    }
+
+    /// The same options, with the place, motion and orientation of `view`.
+    pub fn with_camera(self, view: &View) -> Self {
+        let numbers = [
+            ("radius", view.radius),
+            ("heading", view.heading_deg),
+            ("yaw", view.yaw_deg),
+            ("pitch", view.pitch_deg),
+            ("roll", view.roll_deg),
+            ("orbit", view.orbit_deg),
+            ("latitude", view.latitude_deg),
         ];
-        for (name, value) in options {
-            self.options.remove(name);
-            let value = value.map(|value| (name.to_owned(), vec![value]));
-            self.options.extend(value);
-        }
+        let numbers = numbers.map(|(name, number)| (name, number.to_string()));
+        let motion = ("motion", view.motion.to_string());
+        self.with(numbers.into_iter().chain([motion]))
+    }
+
+    fn with(mut self, options: impl Iterator<Item = (&'static str, String)>) -> Self {
+        let options = options.map(|(name, value)| (name.to_owned(), vec![value]));
+        self.options.extend(options);
         self
     }
 

@@ -80,7 +80,8 @@ pub fn of(
     );
     attributes.extend(stars(of).map(|stars| ("lensbake.stars", Value::Text(stars))));
     if let Some(recorded) = of.recorded {
-        let json = serde_json::to_string(recorded).map_err(CommandError::Json)?;
+        let recorded = recorded.clone().with_frame(view);
+        let json = serde_json::to_string(&recorded).map_err(CommandError::Json)?;
         attributes.push((ATTRIBUTE, Value::Text(json)));
     }
     Ok(Metadata {

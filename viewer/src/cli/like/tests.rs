@@ -41,7 +41,7 @@ fn inherited(bytes: &[u8], options: &[&str]) -> Result<Vec<OsString>, LikeError>
 fn a_record_has_every_option_of_a_picture_but_those_that_are_excluded() {
     let all = inherited(&recording(&["-r", "7", "--hole=1,-2"]), &["-o", "a.exr"]).unwrap();
     let has = |argument: &str| all.iter().any(|found| found == argument);
-    assert!(has("--radius=7") && has("--hole=1,-2") && has("--fov=90"));
+    assert!(has("--radius=7") && has("--hole=1,-2") && has("--step=0.05"));
     for name in ["output", "like", "explain", "orbit", "latitude", "help"] {
         let prefix = format!("--{name}");
         let found = all.iter().filter_map(|argument| argument.to_str());

@@ -4,7 +4,7 @@ use lensbake_render::camera::View;
 use lensbake_render::lens::Lens;
 use lensbake_render::picture::Picture;
 use lensbake_render::shift::Rendition;
-use lensbake_render::stars::{self, StarField};
+use lensbake_render::stars::SortedStars;
 
 /// A latent frame: the light of its sky, summed over the moments at which the shutter was open, still without stars.
 pub(super) struct Latent {
@@ -49,12 +49,12 @@ impl Latent {
         self.moments.push(lens);
     }
 
-    /// The frame: the mean over its moments, with the stars of `field`. `None` without moments.
-    pub(super) fn developed(self, field: Option<&StarField>) -> Option<Developed> {
+    /// The frame: the mean over its moments, with `stars`. `None` without moments.
+    pub(super) fn developed(self, stars: Option<&SortedStars>) -> Option<Developed> {
         let mut picture = self.light?;
-        if let Some(field) = field {
+        if let Some(stars) = stars {
             for lens in &self.moments {
-                stars::draw(&mut picture, lens, field, self.rendition);
+                stars.draw(&mut picture, lens, self.rendition);
             }
         }
         if self.moments.len() > 1 {

@@ -19,6 +19,7 @@ use lensbake_program::output;
 use lensbake_program::{Outcome, message};
 use lensbake_render::camera::{Camera, Projection};
 use lensbake_render::sky;
+use lensbake_render::stars::SortedStars;
 use pipeline::Summary;
 use plan::Plan;
 use slate::Slate;
@@ -47,7 +48,7 @@ pub fn run(args: &FilmArgs) -> Result<Outcome, CommandError> {
     }
     let (table, table_name) = table(&args.light)?;
     let sky = Arc::new(sky::load(&args.light.sky)?);
-    let stars = star_field(&args.stars, &args.light.sky)?;
+    let stars = star_field(&args.stars, &args.light.sky)?.map(SortedStars::new);
     let gpu = gpu_for(args.device, &narrowest_camera(&films[0].plan)?)?;
     check_device(&args.drawing, gpu.is_none())?;
     let renderer = gpu.as_ref().map(|gpu| renderer(gpu, args.drawing.pass));

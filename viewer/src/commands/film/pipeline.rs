@@ -6,7 +6,7 @@ use super::slate::Slate;
 use super::target::Target;
 use lensbake_program::Progress;
 use lensbake_render::picture::WithoutValue;
-use lensbake_render::stars::StarField;
+use lensbake_render::stars::SortedStars;
 use std::sync::mpsc::{Receiver, sync_channel};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
@@ -41,7 +41,7 @@ struct Done {
 /// Draws `frames` in order to `target`. After a failure, the frames that were drawn before it are still written.
 pub(super) fn expose(
     frames: &[u32],
-    stars: Option<&StarField>,
+    stars: Option<&SortedStars>,
     target: &Target,
     slate: &Slate,
 ) -> Result<Summary, CommandError> {
@@ -90,7 +90,7 @@ pub(super) fn expose(
 /// Encodes and writes frames until there are no more, or one fails.
 fn develop_all(
     receiver: &Mutex<Receiver<Latent>>,
-    stars: Option<&StarField>,
+    stars: Option<&SortedStars>,
     target: &Target,
     slate: &Slate,
     done: &Mutex<Done>,
