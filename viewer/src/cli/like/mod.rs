@@ -69,6 +69,12 @@ impl Inherited {
         if given.value_source("device") == Some(ValueSource::CommandLine) {
             self.recorded.options.remove("pass");
         }
+        // Another projection has another shape and another field of view.
+        if given.value_source("projection") == Some(ValueSource::CommandLine) {
+            for option in ["size", "fov", "tilt"] {
+                self.recorded.options.remove(option);
+            }
+        }
         let arguments = self.recorded.arguments(given);
         let arguments = arguments.map_err(|option| LikeError::Unknown {
             file: self.file.clone(),

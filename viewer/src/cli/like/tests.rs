@@ -62,7 +62,7 @@ fn a_record_has_every_option_of_a_picture_but_those_that_are_excluded() {
 
 #[test]
 fn another_device_or_format_leaves_out_what_it_does_not_have() {
-    let picture = recording(&["--pass", "fragment", "--aov", "uv,order"]);
+    let picture = recording(&["--pass", "fragment", "--aov", "uv,order", "--fov", "50"]);
     let has = |options: &[&str], argument: &str| {
         let arguments = inherited(&picture, options).unwrap();
         arguments.iter().any(|found| found == argument)
@@ -71,6 +71,8 @@ fn another_device_or_format_leaves_out_what_it_does_not_have() {
     assert!(!has(&["-d", "cpu"], "--pass=fragment"));
     assert!(has(&["-o", "a.exr"], "--aov=uv") && has(&["-o", "a.exr"], "--aov=order"));
     assert!(!has(&["-o", "a.png"], "--aov=uv"));
+    assert!(has(&["-r", "3"], "--fov=50"));
+    assert!(!has(&["--projection", "cube"], "--fov=50"));
 }
 
 proptest! {
