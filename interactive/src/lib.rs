@@ -2,9 +2,9 @@
 //! system, a page or a clock: the caller passes events, and times since a start of its choice.
 //!
 //! [`input`] turns keys, pointer, wheel and touches into changes of the [`settings`]. The [`state`] keeps the changes that
-//! can be drawn, a frame makes a [`plan`] of it, and the [`stage`] draws the plan to a surface. A [`session`] holds them. Movement by keys and
-//! pointer ([`motion`]) and by itself (`travel`: the fall and the orbit by proper time) depends on elapsed time, not on
-//! the frame rate.
+//! can be drawn, a frame makes a [`plan`] of it, and the [`stage`] draws the plan to a surface. A [`session`] holds them.
+//! Movement by keys and pointer ([`motion`]), by itself (`travel`: the fall and the orbit by proper time) and along a path
+//! ([`recording`]) depends on elapsed time, not on the frame rate.
 
 pub mod fall;
 pub mod frame_clock;

@@ -328,6 +328,11 @@ class View {
         if (viewer === null) {
             throw new Error(`${file.name}: nothing is drawn now`);
         }
+        if (file.name.toLowerCase().endsWith('.json')) {
+            viewer.takePath(file.name, new TextDecoder().decode(bytes));
+            this.redraw();
+            return;
+        }
         if (mayBeTable(bytes) && viewer.takeTable(file.name, bytes)) {
             this.own.table = file;
             this.redraw();
@@ -420,10 +425,11 @@ class View {
             letGo: changing(() => this.viewer.letGo()),
             backToLetGo: changing(() => this.viewer.backToLetGo()),
             stopMoving: changing(() => this.viewer.stopMoving()),
-            /** Shows a file: a panorama or a bending table. */
+            /** Shows a file: a panorama or a bending table; a path of the camera (.json) is played. */
             openFile: (file) => this.openFile(file),
             /** The picture as a PNG: a promise of a Blob. */
             screenshot: () => this.screenshot(),
+            /** The path of the camera as JSON, as `viewer film` takes it; undefined before the first keyframe. */
             path: () => this.viewer?.path,
             /** Draws the picture `count` times without showing it: a promise of the time of each, ms. */
             time: (count) => this.time(count),

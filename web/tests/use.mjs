@@ -106,6 +106,11 @@ const checks = {
         const path = JSON.parse((await import('node:fs')).readFileSync(await (await download).path(), 'utf8'));
         assert.deepEqual(path.keyframes.map(({ time }) => time), [0, 3]);
         assert.equal(path.keyframes[0].radius, 25);
+        const file = (text) => ({ name: 'my.json', mimeType: 'application/json', buffer: Buffer.from(text) });
+        await page.locator('#file').setInputFiles(file('{"keyframes": [{"time": 0, "raduis": 3}]}'));
+        await until(page, () => /my.json: .*raduis/.test(document.getElementById('message').textContent));
+        await page.locator('#file').setInputFiles(file('{"keyframes": [{"time": 0, "radius": 3}, {"time": 1, "yaw": 20}]}'));
+        await until(page, () => window.lensbake.get('radius') === '3' && Number(window.lensbake.get('yaw')) === 20);
         return page;
     },
 

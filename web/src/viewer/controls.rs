@@ -1,7 +1,8 @@
 //! Keys, pointer, wheel and touches.
 
-use super::{Viewer, seconds};
+use super::{Viewer, error, seconds};
 use keyboard_types::Code;
+use lensbake_film::{FlightPath, PathError};
 use lensbake_interactive::input::{self, Button, KeyChange, Reaction};
 use lensbake_interactive::keys::{self, BINDINGS, Command, MOUSE};
 use wasm_bindgen::prelude::*;
@@ -60,6 +61,19 @@ impl Viewer {
     pub fn path(&self) -> Option<String> {
         let path = self.session.recording.path();
         (!path.keyframes.is_empty()).then(|| path.to_json())
+    }
+
+    /// Plays the path of the camera in the text of a file with this `name`.
+    ///
+    /// # Errors
+    /// A line that names the file and the field that is wrong; then nothing changes.
+    #[wasm_bindgen(js_name = takePath)]
+    pub fn take_path(&mut self, name: &str, text: &str) -> Result<(), JsError> {
+        let path: Result<FlightPath, PathError> = text.parse();
+        let taken = path.and_then(|path| self.session.recording.take(path));
+        let said = taken.map_err(|problem| error(format!("{name}: {problem}")))?;
+        self.say(said);
+        Ok(())
     }
 
     /// The keys and what they do, and the same for the pointer: names and descriptions in turn.
