@@ -128,6 +128,9 @@ fn departure(
         let named = channel.of(keyframe);
         named.or(arrived).unwrap_or(channel.default_value())
     };
+    let names_place = Channel::PLACE
+        .iter()
+        .any(|channel| channel.of(keyframe).is_some());
     let radius = value(Channel::Radius, arrival.map(|arrival| arrival.radius));
     check_radius(radius, motion).map_err(|problem| {
         let problem = match keyframe.radius {
@@ -143,7 +146,10 @@ fn departure(
             latitude_deg: value(Channel::Latitude, place.map(|place| place.latitude_deg)),
             heading_deg: value(Channel::Heading, place.map(|place| place.heading_deg)),
         },
-        turn_deg: arrival.map_or(0.0, |arrival| arrival.turn_deg),
+        // A keyframe that names a place also says how the camera is turned there.
+        turn_deg: arrival
+            .filter(|_| !names_place)
+            .map_or(0.0, |arrival| arrival.turn_deg),
     })
 }
 

@@ -39,5 +39,6 @@ pub use flight::{Flight, Shot};
 pub use frame_names::{FrameNames, FrameNamesError};
 pub use frame_range::{FrameRange, FrameRangeError};
 pub use keyframe::{Ends, FlightPath, Keyframe, KeyframeMotion};
+pub use orientation::Orientation;
 pub use ready::{ReadyPath, ReadyPathError};
 pub use shutter::{Shutter, ShutterError};

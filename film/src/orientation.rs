@@ -1,18 +1,31 @@
 //! The orientation of a camera whose picture stays with its direction of motion.
 
 use glam::{DMat3, EulerRot};
+use lensbake_render::camera::View;
 
 /// Yaw, pitch and roll of a camera, degrees.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Orientation {
-    pub(crate) yaw_deg: f64,
-    pub(crate) pitch_deg: f64,
-    pub(crate) roll_deg: f64,
+pub struct Orientation {
+    /// Rotation to the right, away from the hole.
+    pub yaw_deg: f64,
+    /// Rotation upwards, away from the hole.
+    pub pitch_deg: f64,
+    /// Clockwise roll.
+    pub roll_deg: f64,
 }
 
 impl Orientation {
+    /// The orientation of a view.
+    pub fn of(view: &View) -> Self {
+        Orientation {
+            yaw_deg: view.yaw_deg,
+            pitch_deg: view.pitch_deg,
+            roll_deg: view.roll_deg,
+        }
+    }
+
     /// The orientation turned by `turn_deg` around the direction of the hole, from east towards north.
-    pub(crate) fn turned(self, turn_deg: f64) -> Self {
+    pub fn turned(self, turn_deg: f64) -> Self {
         if turn_deg == 0.0 {
             return self;
         }
@@ -40,7 +53,7 @@ impl Orientation {
 mod tests {
     use super::*;
     use glam::DVec3;
-    use lensbake_render::camera::{Camera, View};
+    use lensbake_render::camera::Camera;
     use proptest::prelude::*;
 
     fn camera(orientation: Orientation) -> Camera {

@@ -1,8 +1,12 @@
 //! A path of the camera: keyframes that the user sets, and the flight along them.
 
 use crate::settings::Settings;
+use glam::DVec3;
 use lensbake_core::Motion;
-use lensbake_film::{Channel, Flight, FlightPath, Keyframe, KeyframeMotion, PathError};
+use lensbake_film::{
+    Channel, Flight, FlightPath, Keyframe, KeyframeMotion, Orientation, PathError,
+};
+use lensbake_render::camera::View;
 
 /// Time from one keyframe to the next, seconds of the film, where nothing moves the camera by itself.
 const SPACING_S: f64 = 3.0;
@@ -12,16 +16,25 @@ const SPACING_S: f64 = 3.0;
 pub struct Recording {
     path: FlightPath,
     playing: Option<Playing>,
-    /// Seconds for which something has moved the camera since the last keyframe.
-    moved_s: f64,
-    /// The motion of the last keyframe, by which the camera still moves.
-    carried_by: Option<KeyframeMotion>,
+    carried: Option<Carried>,
 }
 
 #[derive(Debug)]
 struct Playing {
     flight: Flight,
     time: f64,
+    /// The view that was shown last. If it has changed since, the user has moved the camera.
+    shown: Option<View>,
+}
+
+/// The motion that has moved the camera by itself since the last keyframe.
+#[derive(Debug, Clone, Copy)]
+struct Carried {
+    motion: KeyframeMotion,
+    /// The heading where the motion began, degrees.
+    heading_deg: f64,
+    /// For how long, seconds.
+    seconds: f64,
 }
 
 impl Recording {
@@ -52,12 +65,17 @@ impl Recording {
     /// [`PathError`] if it cannot be flown; then nothing changes.
     pub fn take(&mut self, path: FlightPath) -> Result<String, PathError> {
         let flight = Flight::new(&path)?;
+        self.keep(path);
+        self.play(flight);
+        Ok(format!("path: {}", self.summary()))
+    }
+
+    /// Replaces the path, without playing it.
+    pub fn keep(&mut self, path: FlightPath) {
         *self = Recording {
             path,
-            playing: Some(Playing { flight, time: 0.0 }),
             ..Recording::default()
         };
-        Ok(format!("path: {}", self.summary()))
     }
 
     /// Adds a keyframe for the camera as it is now. While the camera falls or is in orbit by proper time, the keyframe is at
@@ -66,46 +84,63 @@ impl Recording {
     /// # Errors
     /// A line that says why the path cannot have this keyframe.
     pub fn set_keyframe(&mut self, settings: &Settings) -> Result<String, String> {
-        let motion = match settings.view.motion {
-            Motion::Rest => KeyframeMotion::Rest,
-            Motion::Fall => KeyframeMotion::Fall,
-            Motion::Orbit => KeyframeMotion::Orbit,
-            Motion::Velocity { .. } => {
-                return Err("a path has no motion by a velocity: press O for another".into());
+        let motion = motion_of(settings)?;
+        let moves = settings.moves();
+        let carried = self.carried.filter(|carried| carried.seconds > 0.0);
+        if motion != KeyframeMotion::Rest && !moves && carried.is_none() {
+            return Err(match motion {
+                KeyframeMotion::Fall => "in a path, a camera in free fall falls: press G to let go",
+                _ => "in a path, a camera in orbit moves along it: press R for the true period",
+            }
+            .into());
+        }
+        let passed = carried.map_or(SPACING_S, |carried| carried.seconds);
+        let time = (self.path.keyframes.last()).map_or(0.0, |last| last.time + passed);
+        let goes_on = carried.filter(|carried| carried.motion == motion);
+        let on_the_way = goes_on.map(|carried| on_the_way(settings, time, carried.heading_deg));
+        let flown = on_the_way.and_then(|keyframe| self.with(keyframe).ok());
+        let flown = flown.filter(|(_, flight)| arrives(flight, time, settings));
+        let heading_deg = match (&flown, goes_on) {
+            (Some(_), Some(carried)) => carried.heading_deg,
+            _ => settings.view.heading_deg,
+        };
+        let (path, _) = match flown {
+            Some(flown) => flown,
+            None => {
+                let keyframe = at_a_place(settings, time, motion);
+                self.with(keyframe).map_err(|problem| problem.to_string())?
             }
         };
-        let by_itself = motion != KeyframeMotion::Rest && settings.moves();
-        let goes_on = by_itself && self.carried_by == Some(motion) && self.moved_s > 0.0;
-        let time = self.path.keyframes.last().map_or(0.0, |last| {
-            last.time + if goes_on { self.moved_s } else { SPACING_S }
+        self.path = path;
+        self.playing = None;
+        self.carried = (motion != KeyframeMotion::Rest && moves).then_some(Carried {
+            motion,
+            heading_deg,
+            seconds: 0.0,
         });
-        let mut keyframe = looks(settings, time);
-        if !goes_on {
-            place(&mut keyframe, settings, motion);
-        }
+        Ok(match self.path.keyframes.len() {
+            1 => {
+                "keyframe 1: move, and press K for the next; J plays them, N saves them".to_owned()
+            }
+            count => format!("keyframe {count} at {time:.1} s"),
+        })
+    }
+
+    /// The path with another keyframe at its end, and its flight.
+    fn with(&self, mut keyframe: Keyframe) -> Result<(FlightPath, Flight), PathError> {
         if let Some(before) = self.path.keyframes.last() {
             unwind(&mut keyframe, before);
         }
         let mut path = self.path.clone();
         path.keyframes.push(keyframe);
-        Flight::new(&path).map_err(|problem| problem.to_string())?;
-        self.path = path;
-        self.playing = None;
-        self.moved_s = 0.0;
-        self.carried_by = by_itself.then_some(motion);
-        let count = self.path.keyframes.len();
-        Ok(match count {
-            1 => {
-                "keyframe 1: move, and press K for the next; J plays them, N saves them".to_owned()
-            }
-            _ => format!("keyframe {count} at {time:.1} s"),
-        })
+        let flight = Flight::new(&path)?;
+        Ok((path, flight))
     }
 
     /// Takes the last keyframe back. Returns a message.
     pub fn take_back(&mut self) -> String {
         self.playing = None;
-        self.carried_by = None;
+        self.carried = None;
         match self.path.keyframes.pop() {
             Some(_) => self.summary(),
             None => "there is no keyframe to take back: K sets one".to_owned(),
@@ -122,28 +157,48 @@ impl Recording {
         }
         match Flight::new(&self.path) {
             Ok(flight) => {
-                self.playing = Some(Playing { flight, time: 0.0 });
+                self.play(flight);
                 format!("playing {}", self.summary())
             }
             Err(problem) => problem.to_string(),
         }
     }
 
-    /// Moves the camera along the path by `seconds`, if it plays. Returns a message at its end.
+    fn play(&mut self, flight: Flight) {
+        self.carried = None;
+        self.playing = Some(Playing {
+            flight,
+            time: 0.0,
+            shown: None,
+        });
+    }
+
+    /// Moves the camera along the path by `seconds`, if it plays. If the user has moved the camera meanwhile, the path stops.
+    /// Returns a message where it stops.
     pub(crate) fn advance(&mut self, settings: &mut Settings, seconds: f64) -> Option<String> {
-        if settings.moves() {
-            self.moved_s += seconds;
+        let Some(playing) = &mut self.playing else {
+            if let Some(carried) = self.carried.as_mut().filter(|_| settings.moves()) {
+                carried.seconds += seconds;
+            }
+            return None;
+        };
+        if playing.shown.is_some_and(|shown| shown != settings.view) {
+            self.playing = None;
+            return Some("the path has stopped: J plays it again".to_owned());
         }
-        let playing = self.playing.as_mut()?;
         let end = playing.flight.seconds();
         let time = playing.time.min(end);
         playing.time += seconds;
         let view = &mut settings.view;
         let shot = playing.flight.shot(time, (view.width, view.height));
         *view = shot.view;
-        settings.exposure =
-            (shot.exposure as f32).clamp(*Settings::EXPOSURES.start(), *Settings::EXPOSURES.end());
+        playing.shown = Some(shot.view);
+        let exposures = Settings::EXPOSURES;
+        settings.exposure = (shot.exposure as f32).clamp(*exposures.start(), *exposures.end());
+        // Nothing else moves the camera, neither now nor after the end.
         settings.stop_falling();
+        settings.true_period = false;
+        settings.orbit_speed = 0;
         if time < end {
             return None;
         }
@@ -152,29 +207,66 @@ impl Recording {
     }
 }
 
-/// A keyframe that says where the camera looks.
-fn looks(settings: &Settings, time: f64) -> Keyframe {
-    let view = &settings.view;
-    Keyframe {
-        time,
-        yaw: Some(view.yaw_deg),
-        pitch: Some(view.pitch_deg),
-        roll: Some(view.roll_deg),
-        fov: Some(view.fov_deg),
-        exposure: Some(settings.exposure.into()),
-        ..Keyframe::default()
+/// The motion of the camera as a path has it.
+fn motion_of(settings: &Settings) -> Result<KeyframeMotion, String> {
+    match settings.view.motion {
+        Motion::Rest => Ok(KeyframeMotion::Rest),
+        Motion::Fall => Ok(KeyframeMotion::Fall),
+        Motion::Orbit => Ok(KeyframeMotion::Orbit),
+        Motion::Velocity { .. } => {
+            Err("a path has no motion by a velocity: press O for another".into())
+        }
     }
 }
 
-/// Makes `keyframe` say where the camera is and how it moves from there.
-fn place(keyframe: &mut Keyframe, settings: &Settings, motion: KeyframeMotion) {
+/// Whether `flight` is at `time` where the camera is.
+fn arrives(flight: &Flight, time: f64, settings: &Settings) -> bool {
+    const NEAR: f64 = 1e-3;
+    let (there, here) = (flight.shot(time, (1, 1)).view, &settings.view);
+    let direction = |view: &View| {
+        let (latitude_sin, latitude_cos) = view.latitude_deg.to_radians().sin_cos();
+        let (sin, cos) = view.orbit_deg.to_radians().sin_cos();
+        DVec3::new(latitude_cos * sin, latitude_sin, latitude_cos * cos)
+    };
+    let apart = direction(&there).distance(direction(here));
+    (there.radius / here.radius - 1.0).abs() < NEAR && apart < NEAR
+}
+
+/// A keyframe that leaves the place to the motion, which began at this heading and has turned the picture with it.
+fn on_the_way(settings: &Settings, time: f64, heading_deg: f64) -> Keyframe {
     let view = &settings.view;
-    keyframe.motion = Some(motion);
-    keyframe.radius = Some(view.radius);
-    keyframe.orbit = Some(view.orbit_deg);
-    keyframe.latitude = Some(view.latitude_deg);
-    keyframe.heading = (motion == KeyframeMotion::Orbit).then_some(view.heading_deg);
-    keyframe.clock_rate = (motion != KeyframeMotion::Rest).then(|| settings.clock_rate());
+    let turned = match view.motion {
+        Motion::Orbit => view.heading_deg - heading_deg,
+        _ => 0.0,
+    };
+    looks(Orientation::of(view).turned(-turned), settings, time)
+}
+
+/// A keyframe that says where the camera is and how it moves from there.
+fn at_a_place(settings: &Settings, time: f64, motion: KeyframeMotion) -> Keyframe {
+    let view = &settings.view;
+    Keyframe {
+        motion: Some(motion),
+        radius: Some(view.radius),
+        orbit: Some(view.orbit_deg),
+        latitude: Some(view.latitude_deg),
+        heading: (motion == KeyframeMotion::Orbit).then_some(view.heading_deg),
+        clock_rate: (motion != KeyframeMotion::Rest).then(|| settings.clock_rate()),
+        ..looks(Orientation::of(view), settings, time)
+    }
+}
+
+/// A keyframe that says where the camera looks.
+fn looks(orientation: Orientation, settings: &Settings, time: f64) -> Keyframe {
+    Keyframe {
+        time,
+        yaw: Some(orientation.yaw_deg),
+        pitch: Some(orientation.pitch_deg),
+        roll: Some(orientation.roll_deg),
+        fov: Some(settings.view.fov_deg),
+        exposure: Some(settings.exposure.into()),
+        ..Keyframe::default()
+    }
 }
 
 /// Angles that go round: the window keeps them from −180° to 180°.
@@ -198,7 +290,7 @@ fn unwind(keyframe: &mut Keyframe, before: &Keyframe) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lensbake_render::camera::View;
+    use lensbake_render::camera::Camera;
 
     fn settings(radius: f64, orbit_deg: f64) -> Settings {
         let view = View {
@@ -265,6 +357,78 @@ mod tests {
     }
 
     #[test]
+    fn an_inclined_orbit_is_played_as_it_was_seen() {
+        let mut recording = Recording::default();
+        let mut orbiting = settings(8.0, 30.0);
+        orbiting.view.motion = Motion::Orbit;
+        orbiting.view.heading_deg = 40.0;
+        orbiting.true_period = true;
+        recording.set_keyframe(&orbiting).unwrap();
+        let mut seen = Vec::new();
+        for _ in 0..2 {
+            for _ in 0..60 {
+                recording.advance(&mut orbiting, 0.5);
+                orbiting.advance(0.5);
+            }
+            orbiting.view.yaw_deg += 5.0;
+            recording.set_keyframe(&orbiting).unwrap();
+            seen.push(Camera::new(&orbiting.view).unwrap());
+        }
+        let flight = Flight::new(recording.path()).unwrap();
+        for (keyframe, seen) in recording.path().keyframes[1..].iter().zip(seen) {
+            assert_eq!((keyframe.motion, keyframe.orbit), (None, None));
+            let view = orbiting.view;
+            let shot = flight.shot(keyframe.time, (view.width, view.height));
+            let played = Camera::new(&shot.view).unwrap();
+            for axis in [DVec3::X, DVec3::Z] {
+                let off = played.sky_from_hole * axis - seen.sky_from_hole * axis;
+                assert!(off.length() < 1e-6, "{off}");
+            }
+            let on_sky = |camera: &Camera| camera.sky_from_hole * camera.right.normalize();
+            let off = on_sky(&played) - on_sky(&seen);
+            assert!(off.length() < 1e-6, "{off}");
+        }
+    }
+
+    #[test]
+    fn a_camera_that_was_moved_by_hand_is_where_it_is() {
+        let mut recording = Recording::default();
+        let mut falling = settings(9.0, 0.0);
+        falling.let_go();
+        falling.advance(0.0);
+        recording.set_keyframe(&falling).unwrap();
+        recording.advance(&mut falling, 1.0);
+        falling.advance(1.0);
+        falling.view.radius = 3.0;
+        recording.set_keyframe(&falling).unwrap();
+        assert_eq!(recording.path().keyframes[1].radius, Some(3.0));
+        assert!((recording.path().keyframes[1].time - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_path_stops_when_the_user_moves_the_camera() {
+        let mut recording = Recording::default();
+        let mut shown = settings(20.0, 0.0);
+        recording.set_keyframe(&shown).unwrap();
+        recording.set_keyframe(&settings(5.0, 0.0)).unwrap();
+        recording.play_or_stop();
+        shown.true_period = true;
+        shown.orbit_speed = 2;
+        recording.advance(&mut shown, 0.5);
+        assert!(!shown.true_period && shown.orbit_speed == 0);
+        assert_eq!(recording.advance(&mut shown, 0.5), None);
+        shown.view.yaw_deg += 1.0;
+        let moved = shown.view;
+        assert!(
+            recording
+                .advance(&mut shown, 0.5)
+                .unwrap()
+                .contains("stopped")
+        );
+        assert!(!recording.plays() && shown.view == moved);
+    }
+
+    #[test]
     fn what_is_no_keyframe_is_refused() {
         let mut recording = Recording::default();
         let mut moving = settings(6.0, 0.0);
@@ -274,6 +438,11 @@ mod tests {
         };
         let said = recording.set_keyframe(&moving).unwrap_err();
         assert!(said.contains("press O"), "{said}");
+        for (motion, key) in [(Motion::Fall, "press G"), (Motion::Orbit, "press R")] {
+            moving.view.motion = motion;
+            let said = recording.set_keyframe(&moving).unwrap_err();
+            assert!(said.contains(key), "{said}");
+        }
         assert!(recording.path().keyframes.is_empty());
     }
 }

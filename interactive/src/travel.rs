@@ -8,6 +8,7 @@ use crate::settings::Settings;
 use crate::title;
 use lensbake_core::Motion;
 use lensbake_core::geodesic::{fall_time, orbit_rate};
+use lensbake_film::Orientation;
 use lensbake_render::camera::{Place, View};
 
 impl Settings {
@@ -111,6 +112,12 @@ fn go_along_orbit(view: &mut View, time: f64) {
         heading_deg: view.heading_deg,
     };
     let place = place.moved(rate * time);
+    // The picture turns with the direction of motion, so that it is not turned over beyond a pole.
+    let turned = place.heading_deg - view.heading_deg;
+    let orientation = Orientation::of(view).turned(turned);
+    view.yaw_deg = orientation.yaw_deg;
+    view.pitch_deg = orientation.pitch_deg;
+    view.roll_deg = orientation.roll_deg;
     view.orbit_deg = wrapped(place.longitude_deg);
     view.latitude_deg = place.latitude_deg;
     view.heading_deg = place.heading_deg;
@@ -256,10 +263,13 @@ mod tests {
             (start.orbit_deg, end.orbit_deg),
             (start.latitude_deg, end.latitude_deg),
             (start.heading_deg, end.heading_deg),
+            (start.yaw_deg, end.yaw_deg),
+            (start.pitch_deg, end.pitch_deg),
+            (start.roll_deg, end.roll_deg),
         ] {
             assert!((a - b).abs() < 1e-9, "{end:?}");
         }
-        assert_eq!((start.radius, start.yaw_deg), (end.radius, end.yaw_deg));
+        assert_eq!(start.radius, end.radius);
     }
 
     #[test]

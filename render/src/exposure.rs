@@ -1,5 +1,6 @@
 //! Automatic exposure: makes up for the brightness of the frequency shift.
 
+use crate::camera::Mapping;
 use crate::lens::Lens;
 use crate::shift::Shift;
 use glam::DVec2;
@@ -11,27 +12,56 @@ const RAYS: u32 = 24;
 /// The exposure, in stops, at which an evenly bright sky keeps its mean brightness in the picture of `lens` with this
 /// frequency shift: minus the mean of log₂ g⁴ over the rays of the picture that see the sky. The mean of the logarithm, as
 /// in a camera, is not dominated by a small bright patch ahead. If none of these rays sees the sky, the corners of the
-/// picture count, which are the last to do so. 0 without shift, or if no ray sees the sky at all.
+/// picture count, or the rim of a fisheye, which are the last to do so. 0 without shift, or if no ray sees the sky at all.
 pub fn automatic(lens: &Lens, shift: Shift) -> f32 {
+    automatic_of_all(std::slice::from_ref(lens), shift)
+}
+
+/// As [`automatic`], one exposure for pictures that are shown together, such as the faces of a cube.
+pub fn automatic_of_all(lenses: &[Lens], shift: Shift) -> f32 {
     if shift == Shift::Off {
         return 0.0;
     }
     let even = |i: u32| (f64::from(i) + 0.5) / f64::from(RAYS) - 0.5;
     let grid = (0..RAYS * RAYS).map(|i| DVec2::new(even(i % RAYS), even(i / RAYS)));
-    let corners = [-0.5, 0.5].map(|x| [-0.5, 0.5].map(|y| DVec2::new(x, y)));
-    let brightness = mean_brightness(lens, grid)
-        .or_else(|| mean_brightness(lens, corners.into_iter().flatten()))
+    let border = lenses
+        .iter()
+        .flat_map(|lens| border(lens).map(move |place| (lens, place)));
+    let inside = lenses.iter().flat_map(|lens| {
+        let shown = grid.clone().filter(|&place| is_shown(lens, place));
+        shown.map(move |place| (lens, place))
+    });
+    let brightness = mean_brightness(inside)
+        .or_else(|| mean_brightness(border))
         .unwrap_or(0.0);
     -brightness as f32
 }
 
-/// The mean of log₂ g⁴ over the rays through `places` that see the sky, if any do. Places are in units of the picture's
-/// width and height from its centre.
-fn mean_brightness(lens: &Lens, places: impl Iterator<Item = DVec2>) -> Option<f64> {
+/// Whether a place is in the picture: for a fisheye, on its disc. Places are in units of the picture's width and height from
+/// its centre.
+fn is_shown(lens: &Lens, place: DVec2) -> bool {
     let camera = &lens.camera;
-    let size = DVec2::new(camera.width.into(), camera.height.into());
+    let stretched = DVec2::new(1.0, f64::from(camera.height) / f64::from(camera.width));
+    camera.mapping != Mapping::Equidistant || (place * stretched).length() < 0.5
+}
+
+/// The corners of a picture, or four places on the rim of a fisheye.
+fn border(lens: &Lens) -> impl Iterator<Item = DVec2> {
+    let aside = match lens.camera.mapping {
+        Mapping::Equidistant => 0.5_f64.sqrt(),
+        Mapping::Perspective | Mapping::Equirectangular => 1.0,
+    };
+    let side = [-0.5 * aside, 0.5 * aside];
+    side.into_iter()
+        .flat_map(move |x| side.map(|y| DVec2::new(x, y)))
+}
+
+/// The mean of log₂ g⁴ over the rays through these places of the pictures that see the sky, if any do.
+fn mean_brightness<'a>(places: impl Iterator<Item = (&'a Lens, DVec2)>) -> Option<f64> {
     let (mut sum, mut count) = (0.0, 0.0);
-    for place in places {
+    for (lens, place) in places {
+        let camera = &lens.camera;
+        let size = DVec2::new(camera.width.into(), camera.height.into());
         if let RayOutcome::Escapes(ray) = lens.ray(camera.ray(place * size).normalize()) {
             sum += 4.0 * ray.frequency_shift.log2();
             count += 1.0;

@@ -234,9 +234,19 @@ fn a_star_keeps_its_light_and_place_wherever_it_is() {
         height: 512,
         ..panorama
     };
-    for (longitude, latitude) in [(0.0, 0.0), (45.0, 0.0), (0.0, 80.0), (-60.0, -30.0)] {
-        let (sum, off) = light_of_star(&fisheye, longitude, latitude, 1.0);
-        println!("fisheye at {longitude} {latitude}: {sum:.4}");
+    for (longitude, latitude, light) in [
+        (0.0, 0.0, 1.0),
+        (45.0, 0.0, 1.0),
+        (0.0, 80.0, 1.0),
+        (-60.0, -30.0, 1.0),
+        (0.0, 0.0, 300.0),
+        (70.0, 0.0, 300.0),
+        (-70.0, 0.0, 300.0),
+        (0.0, 70.0, 300.0),
+        (0.0, -70.0, 300.0),
+    ] {
+        let (sum, off) = light_of_star(&fisheye, longitude, latitude, light);
+        println!("fisheye, {light} at {longitude} {latitude}: {sum:.4}");
         assert!((sum - 1.0).abs() < 0.01, "{longitude} {latitude}: {sum}");
         assert!(off.length() < 0.3 * pixel, "{longitude} {latitude}: {off}");
     }

@@ -129,3 +129,27 @@ fn what_does_not_go_with_a_projection_is_refused_in_one_line() {
     }
     assert!(!Path::new("never.png").exists());
 }
+
+/// The edges of neighbouring faces are equally bright, also with an exposure that is chosen by their light.
+#[test]
+fn the_faces_of_a_cube_have_one_exposure() {
+    let folder = folder();
+    let cube = folder.path().join("cube.png");
+    let output = ["render", "--device", "cpu", "-o", cube.to_str().unwrap()];
+    let scene = ["-r", "3", "--motion", "orbit", "--yaw", "60", "-s", "grid"];
+    let light = ["--shift", "brightness", "--exposure", "auto"];
+    let size = ["--projection", "cube", "--size", "64x64"];
+    VIEWER
+        .run(&[&output[..], &scene, &light, &size].concat())
+        .succeeds();
+    let [front, right] = ["front", "right"].map(|face| {
+        let face = folder.path().join(format!("cube_{face}.png"));
+        image::open(face).unwrap().into_rgb8()
+    });
+    let column = |face: &image::RgbImage, x: u32| -> f64 {
+        let pixels = (0..64).flat_map(|y| face.get_pixel(x, y).0);
+        pixels.map(f64::from).sum::<f64>() / (3.0 * 64.0)
+    };
+    let (a, b) = (column(&front, 63), column(&right, 0));
+    assert!((a / b - 1.0).abs() < 0.1, "{a} {b}");
+}

@@ -30,8 +30,8 @@ pub enum Layer {
     Order,
     /// The place of that direction in a panorama: U, V; see [`panorama_uv`].
     Uv,
-    /// How much of the pixel lies in the shadow: the share of its area if the picture shows the mean over it, else 1 or
-    /// 0 at its centre.
+    /// How much of the pixel shows no sky, because it lies in the shadow or outside the disc of a fisheye: the share of its
+    /// area if the picture shows the mean over it, else 1 or 0 at its centre.
     Captured,
 }
 
@@ -219,11 +219,11 @@ struct Pixels<'a> {
 impl Pixels<'_> {
     fn at(&self, column: u32, row: u32) -> Pixel {
         let camera = &self.lens.camera;
-        if camera.coverage(column, row) == 0.0 {
-            // Outside the disc of a fisheye there is neither sky nor shadow.
+        let covered = camera.coverage(column, row);
+        if covered == 0.0 {
             return Pixel {
                 light: None,
-                captured: 0.0,
+                captured: 1.0,
             };
         }
         let light = match self.lens.ray(camera.direction(column, row)) {
@@ -234,9 +234,9 @@ impl Pixels<'_> {
             }),
         };
         let captured = if self.averages {
-            1.0 - self.filtered.sky_share(column, row)
+            1.0 - covered * self.filtered.sky_share(column, row)
         } else {
-            f64::from(u8::from(light.is_none()))
+            1.0 - covered * f64::from(u8::from(light.is_some()))
         };
         Pixel { light, captured }
     }

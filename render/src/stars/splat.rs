@@ -26,7 +26,7 @@ impl Splat {
     /// Whether its kernel may touch the picture of `camera`.
     pub(super) fn may_touch(&self, camera: &Camera) -> bool {
         let size = DVec2::new(camera.width.into(), camera.height.into());
-        let margin = DVec2::splat(self.reach);
+        let margin = DVec2::splat(widened(self, camera));
         let around = camera.mapping == Mapping::Equirectangular;
         around || (self.at.cmpgt(-margin).all() && self.at.cmplt(size + margin).all())
     }
@@ -121,7 +121,7 @@ fn add_wide_core(picture: &mut Picture, splat: &Splat, camera: &Camera) {
 fn add_halo(picture: &mut Picture, splat: &Splat, camera: &Camera) {
     let ray = |at: DVec2| camera.ray(from_centre(at, camera));
     let star = ray(splat.at);
-    for row in covered(splat.at.y, splat.reach, camera.height) {
+    for row in rows(splat, camera) {
         for column in columns(splat, camera, row) {
             let apart = (ray(middle(column as f64, row)) - star).length() / camera.right.length();
             let column_in = column.rem_euclid(camera.width.into()) as u32;
@@ -132,12 +132,27 @@ fn add_halo(picture: &mut Picture, splat: &Splat, camera: &Camera) {
     }
 }
 
+/// The rows that a halo may touch. Around the centre of a fisheye, pixels are narrower than in its centre.
+fn rows(splat: &Splat, camera: &Camera) -> Range<u32> {
+    covered(splat.at.y, widened(splat, camera), camera.height)
+}
+
+/// The half-width of a halo where it is widest in pixels, along the rim of a fisheye.
+fn widened(splat: &Splat, camera: &Camera) -> f64 {
+    match camera.mapping {
+        Mapping::Equidistant => {
+            let solid_angle = camera.pixel_solid_angle(from_centre(splat.at, camera));
+            // Its far side may lie nearer to the rim.
+            splat.reach / (0.5 * solid_angle).max(LEAST_SOLID_ANGLE)
+        }
+        Mapping::Perspective | Mapping::Equirectangular => splat.reach,
+    }
+}
+
 /// The columns that a halo may touch in a row. Those of an equirectangular picture go on beyond its edges.
 fn columns(splat: &Splat, camera: &Camera, row: u32) -> Range<i64> {
     if camera.mapping != Mapping::Equirectangular {
-        // Pixels around the centre of a fisheye are narrower than those in the centre.
-        let reach = splat.reach / LEAST_SOLID_ANGLE;
-        let columns = covered(splat.at.x, reach, camera.width);
+        let columns = covered(splat.at.x, widened(splat, camera), camera.width);
         return columns.start.into()..columns.end.into();
     }
     // Where the star and the row are nearest to a pole, the circle around the star is widest.

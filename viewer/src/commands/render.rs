@@ -43,6 +43,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     let mut printer = Printer::new(jobs[0].file.output.is_standard_output());
     let (sky, stars) = (Arc::new(sky), stars.map(Arc::new));
     let mut outcome = Outcome::Done;
+    let (rendition, exposure) = exposed(args, &jobs);
     for mut job in jobs {
         if args.explain || args.budget_px.is_some() {
             let choice = least::choice(&job.lens, budget_px, gpu.as_ref())?;
@@ -56,7 +57,6 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
                 job.lens = least::lens_of(choice, &job.lens);
             }
         }
-        let (rendition, exposure) = exposed(args, &job.lens, job.file.format);
         let scene = Scene {
             lens: job.lens.clone(),
             sampling: args.drawing.sampling.into(),
@@ -140,15 +140,17 @@ fn picture(
     Ok(lost.is_none())
 }
 
-/// The rendition of the picture, and the exposure of its file in stops. Automatic exposure is part of the rendition of a
+/// The rendition of the pictures, and the exposure of their files in stops. Automatic exposure is part of the rendition of a
 /// .png; an .exr keeps all light.
-fn exposed(args: &RenderArgs, lens: &Lens, format: PictureFormat) -> (Rendition, f32) {
+fn exposed(args: &RenderArgs, jobs: &[Job]) -> (Rendition, f32) {
+    let format = jobs[0].file.format;
     let shift = args.scene.view.light.shift.into();
     match args.drawing.exposure {
         Exposure::Stops(stops) => (Rendition::of(shift), stops),
         Exposure::Automatic if format == PictureFormat::OpenExr => (Rendition::of(shift), 0.0),
         Exposure::Automatic => {
-            let stops = exposure::automatic(lens, shift);
+            let lenses: Vec<Lens> = jobs.iter().map(|job| job.lens.clone()).collect();
+            let stops = exposure::automatic_of_all(&lenses, shift);
             message!("automatic exposure: {stops:.1} stops");
             let light_scale = stops.exp2();
             (Rendition { shift, light_scale }, 0.0)

@@ -294,6 +294,7 @@ impl OpenWindow {
         let moving = self.advance(now);
         self.settle();
         let Some(plan) = self.plan()? else {
+            self.session.pause();
             return Ok(());
         };
         self.update_title();

@@ -5,7 +5,7 @@ use super::latent::Latent;
 use super::plan::Plan;
 use crate::cli::Exposure;
 use lensbake_film::Shot;
-use lensbake_render::camera::{Camera, View};
+use lensbake_render::camera::{Camera, CubeFace, Projection, View};
 use lensbake_render::gpu::{GpuError, Renderer};
 use lensbake_render::lens::{Deflection, Lens};
 use lensbake_render::picture::Picture;
@@ -68,6 +68,19 @@ impl FilmCamera<'_> {
         lens_of(camera, self.table, self.table_name, self.deflection)
     }
 
+    /// The lenses of all pictures that are shown together with that of `view`: the faces of a cube, or one.
+    fn lenses(&self, view: &View) -> Result<Vec<Lens>, CommandError> {
+        let face = |face| View {
+            projection: Projection::CubeFace(face),
+            ..*view
+        };
+        let views = match view.projection {
+            Projection::CubeFace(_) => CubeFace::ALL.map(face).to_vec(),
+            _ => vec![*view],
+        };
+        views.iter().map(|view| self.lens(view)).collect()
+    }
+
     /// The rendition of a frame, and the exposure of its file in stops. The path's exposure is added to that of the command
     /// line.
     fn exposed(&self, shot: &Shot) -> Result<(Rendition, f32), CommandError> {
@@ -78,7 +91,7 @@ impl FilmCamera<'_> {
         let (rendition, stops) = match self.exposure {
             Exposure::Stops(stops) => (plain, stops),
             Exposure::Automatic => {
-                let stops = exposure::automatic(&self.lens(&shot.view)?, self.shift);
+                let stops = exposure::automatic_of_all(&self.lenses(&shot.view)?, self.shift);
                 let light_scale = stops.exp2();
                 (
                     Rendition {
