@@ -254,9 +254,11 @@ class View {
         }
         let settings = this.last;
         let sky;
+        let path;
         try {
             settings = this.settings();
             sky = this.viewer.get('sky');
+            path = this.viewer.path;
         } catch {
             // After an error in it, the viewer says nothing more.
         }
@@ -276,6 +278,9 @@ class View {
                 this.options.failed?.(`${reason}, and cannot be opened again: ${error.message ?? error}`);
             }
             return;
+        }
+        if (path !== undefined) {
+            this.viewer?.keepPath(path);
         }
         const { own } = this;
         const files = [own.table, own.sky?.name === sky ? own.sky : null].filter((file) => file !== null);

@@ -387,6 +387,9 @@ const checks = {
     async 'lost context'() {
         const page = await opened('&radius=5&backend=webgl');
         await settled(page);
+        await page.keyboard.press('k');
+        const path = await page.evaluate(() => window.lensbake.path());
+        assert.match(path, /"radius":5/);
         const before = await pixels(browser, await readBack(page));
         await page.evaluate(async () => {
             const lose = document.getElementById('view').getContext('webgl2').getExtension('WEBGL_lose_context');
@@ -397,6 +400,7 @@ const checks = {
         await until(page, () => window.lensbake.backend === 'webgl' && window.lensbake.complete);
         await settled(page);
         assert.match(await message(page), /was lost; drawing again/);
+        assert.equal(await page.evaluate(() => window.lensbake.path()), path);
         assert.equal(difference(before, await pixels(browser, await readBack(page))).max, 0);
         return page;
     },

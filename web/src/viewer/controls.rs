@@ -76,6 +76,17 @@ impl Viewer {
         Ok(())
     }
 
+    /// Takes back the path of the camera that another viewer had, its [`Viewer::path`], without playing it.
+    ///
+    /// # Errors
+    /// If it is none.
+    #[wasm_bindgen(js_name = keepPath)]
+    pub fn keep_path(&mut self, text: &str) -> Result<(), JsError> {
+        let path = text.parse().map_err(error::<PathError>)?;
+        self.session.recording.keep(path);
+        Ok(())
+    }
+
     /// The keys and what they do, and the same for the pointer: names and descriptions in turn.
     #[wasm_bindgen(js_name = keyBindings)]
     pub fn key_bindings() -> Vec<String> {
