@@ -1,9 +1,9 @@
 //! A file for each frame.
 
-use super::super::{CommandError, spare_inputs};
-use super::FilmError;
+use super::super::CommandError;
 use super::latent::Developed;
 use super::slate::Slate;
+use super::{FilmError, spare_inputs};
 use crate::cli::FilmArgs;
 use lensbake_film::FrameNames;
 use lensbake_program::output::Output;
@@ -50,7 +50,7 @@ impl FrameFiles {
         if args.overwrite {
             for frame in existing {
                 let output = Output::binary(&self.names.path(frame))?;
-                spare_inputs(&output, &args.light, args.stars.stars.as_ref())?;
+                spare_inputs(&output, args)?;
             }
             missing = frames.to_vec();
         }
