@@ -12,7 +12,7 @@ mod video;
 
 pub use error::FilmError;
 
-use super::{CommandError, check_device, gpu_for, named, renderer, star_field, table};
+use super::{CommandError, check_device, gpu_for, metadata, named, renderer, star_field, table};
 use crate::cli::{DeviceName, FilmArgs};
 use camera::FilmCamera;
 use lensbake_program::output::{Output, OutputError};
@@ -70,6 +70,11 @@ pub fn run(args: &FilmArgs) -> Result<Outcome, CommandError> {
     let takes: Vec<(FilmCamera, &Film)> = cameras.zip(&films).collect();
     for (camera, film) in &takes {
         camera.check(&film.frames)?;
+    }
+    if films[0].target.keeps_light()
+        && let Some(output) = &args.output
+    {
+        metadata::report_unrecorded(args.recorded.as_ref(), output);
     }
     let mut all = Outcome::Done;
     for (camera, film) in &takes {
