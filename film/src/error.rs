@@ -95,7 +95,7 @@ pub enum KeyframeError {
     Impossible(#[from] CoreError),
     /// The value follows from physics.
     #[error(
-        "leave it out: it follows from the motion {} of keyframes[{since}]; or name a motion as well, to start anew", 
+        "leave it out: it follows from the motion {} of keyframes[{since}]; or name a motion as well, to start anew",
         motion.name()
     )]
     FollowsFromMotion {

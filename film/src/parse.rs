@@ -1,6 +1,7 @@
 //! Reads a path from JSON. If it is none, finds the field to blame.
 
 use crate::{Channel, FlightPath, Keyframe, PathError};
+use lensbake_tables::text::on_one_line;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 use std::str::FromStr;
@@ -23,21 +24,31 @@ fn blame(text: &str, error: &serde_json::Error) -> PathError {
     let Ok(value) = serde_json::from_str::<Value>(text) else {
         return match field_before(text, error.line(), error.column()) {
             // Where the text ends too early, the last field is not to blame.
-            Some(field) if !error.is_eof() => PathError::Field {
-                field: field.to_owned(),
-                problem,
-            },
-            _ => PathError::Json(problem),
+            Some(field) if !error.is_eof() => blamed(field, &problem),
+            _ => unblamed(&problem),
         };
     };
-    in_path(&value).unwrap_or(PathError::Json(problem))
+    in_path(&value).unwrap_or_else(|| unblamed(&problem))
+}
+
+/// The error `problem` of the field `field`. Both may repeat strings of the file, in which a line break can be escaped.
+fn blamed(field: &str, problem: &str) -> PathError {
+    PathError::Field {
+        field: on_one_line(field),
+        problem: on_one_line(problem),
+    }
+}
+
+/// The error `problem`, for which no field is to blame.
+fn unblamed(problem: &str) -> PathError {
+    PathError::Json(on_one_line(problem))
 }
 
 /// The error in the fields of a path.
 fn in_path(path: &Value) -> Option<PathError> {
     let Some(fields) = path.as_object() else {
         let shape = r#"a path is an object: {"keyframes": [{"time": 0, …}, …]}"#;
-        return Some(PathError::Json(shape.to_owned()));
+        return Some(unblamed(shape));
     };
     let names = ["ends", "keyframes"];
     let others = fields.iter().filter(|(name, _)| *name != "keyframes");
@@ -67,10 +78,7 @@ fn in_keyframe(index: usize, keyframe: &Value) -> Option<PathError> {
     });
     in_fields.or_else(|| {
         let error = serde_json::from_value::<Keyframe>(keyframe.clone()).err()?;
-        Some(PathError::Field {
-            field: place,
-            problem: error.to_string(),
-        })
+        Some(blamed(&place, &error.to_string()))
     })
 }
 
@@ -89,10 +97,7 @@ fn in_field<T: DeserializeOwned>(
         true => error.to_string(),
         false => unknown(name, names),
     };
-    Some(PathError::Field {
-        field: format!("{place}{name}"),
-        problem,
-    })
+    Some(blamed(&format!("{place}{name}"), &problem))
 }
 
 fn unknown(name: &str, names: &[&str]) -> String {
@@ -125,6 +130,7 @@ fn field_before(text: &str, line: usize, column: usize) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     #[track_caller]
     fn refused(text: &str, words: &[&str]) {
@@ -159,6 +165,14 @@ mod tests {
             (
                 r#""time": 1, "motion": "fal""#,
                 &["keyframes[1].motion", "`rest`, `orbit`, `fall`"],
+            ),
+            (
+                r#""time": 1, "a\nb": 1"#,
+                &[r"keyframes[1].a\nb", "unknown field"],
+            ),
+            (
+                r#""time": 1, "motion": "fal\n""#,
+                &["keyframes[1].motion", r"`fal\n`"],
             ),
             (r#""radius": 1"#, &["keyframes[1]", "missing field `time`"]),
             (
@@ -201,6 +215,24 @@ mod tests {
             (r#"{"keyframes": [}"#, &["keyframes", "line 1 column"]),
         ] {
             refused(text, words);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn no_string_of_the_file_breaks_the_line(name in ".*|[\0-\u{1f}]+", text in ".*|[\0-\u{1f}]+") {
+            for path in [
+                json!({&name: &text}),
+                json!({"keyframes": &text}),
+                json!({"keyframes": [], "ends": &text}),
+                json!({"keyframes": [{"time": 0, &name: &text}]}),
+                json!({"keyframes": [{"time": 0, "motion": &text}]}),
+            ] {
+                if let Err(error) = path.to_string().parse::<FlightPath>() {
+                    let said = error.to_string();
+                    prop_assert!(!said.contains(char::is_control), "{:?}", said);
+                }
+            }
         }
     }
 }

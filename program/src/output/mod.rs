@@ -109,8 +109,11 @@ impl Output {
     /// [`OutputProblem::AlsoInput`] if it would: by this name, a link, or another name of the same file.
     pub fn spares(&self, input: &Path) -> Result<(), OutputError> {
         let same = match &self.destination {
-            Destination::File(target) => same_file::is_same_file(target, input).unwrap_or(false),
-            Destination::StandardOutput | Destination::Stream => false,
+            // To compare the files opens them, and whoever writes to a FIFO would take that for its reader.
+            Destination::File(target) if input.is_file() => {
+                same_file::is_same_file(target, input).unwrap_or(false)
+            }
+            Destination::File(_) | Destination::StandardOutput | Destination::Stream => false,
         };
         if same {
             let problem = OutputProblem::AlsoInput(input.to_owned());

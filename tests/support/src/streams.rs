@@ -2,7 +2,7 @@
 
 use crate::{Run, without_driver_lines};
 use std::fs::{self, File, OpenOptions, Permissions};
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{self, BufRead, BufReader, Read, Write};
 use std::os::unix::fs::{FileTypeExt, PermissionsExt, symlink};
 use std::path::Path;
 use std::process::{Child, ChildStdin, Command, Stdio};
@@ -160,14 +160,28 @@ pub fn full_device() -> Stdio {
 /// # Panics
 /// If it cannot be created.
 pub fn fifo_reader(path: &Path) -> JoinHandle<Vec<u8>> {
-    let made = Command::new("mkfifo").arg(path).status().unwrap();
-    assert!(made.success());
+    make_fifo(path);
     let path = path.to_owned();
     std::thread::spawn(move || {
         let mut bytes = Vec::new();
         File::open(path).unwrap().read_to_end(&mut bytes).unwrap();
         bytes
     })
+}
+
+/// Creates a FIFO at `path` and writes `text` to its first reader, on a thread.
+///
+/// # Panics
+/// If it cannot be created.
+pub fn fifo_writer(path: &Path, text: &str) -> JoinHandle<io::Result<()>> {
+    make_fifo(path);
+    let (path, text) = (path.to_owned(), text.to_owned());
+    std::thread::spawn(move || fs::write(path, text))
+}
+
+fn make_fifo(path: &Path) {
+    let made = Command::new("mkfifo").arg(path).status().unwrap();
+    assert!(made.success());
 }
 
 /// Whether `path` itself is a FIFO.

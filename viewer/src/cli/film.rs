@@ -75,8 +75,7 @@ pub struct FilmArgs {
     /// 1024x1024].
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<(u32, u32)>,
-    /// Field of view of all frames, instead of that of the path, which is at most 179; a fisheye or dome has up to 360
-    /// [default: 180].
+    /// Field of view of all frames, instead of that of the path: below 180, of a fisheye or dome up to 360 [default: 180].
     #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub fov: Option<f64>,
     /// Device to draw on; `auto` is the GPU if there is one.

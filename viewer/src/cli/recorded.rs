@@ -83,8 +83,8 @@ impl RecordedOptions {
         self.with([size].into_iter().chain(fov))
     }
 
-    /// The same options, with the place, motion and orientation of `view`.
-    pub fn with_camera(self, view: &View) -> Self {
+    /// The same options, with the place, motion and orientation of `view`, and this exposure in stops if there is one.
+    pub fn with_camera(self, view: &View, exposure: Option<f32>) -> Self {
         let numbers = [
             ("radius", view.radius),
             ("heading", view.heading_deg),
@@ -96,7 +96,8 @@ impl RecordedOptions {
         ];
         let numbers = numbers.map(|(name, number)| (name, number.to_string()));
         let motion = ("motion", view.motion.to_string());
-        self.with(numbers.into_iter().chain([motion]))
+        let exposure = exposure.map(|stops| ("exposure", stops.to_string()));
+        self.with(numbers.into_iter().chain([motion]).chain(exposure))
     }
 
     fn with(mut self, options: impl Iterator<Item = (&'static str, String)>) -> Self {

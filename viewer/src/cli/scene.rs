@@ -16,8 +16,8 @@ use std::path::PathBuf;
 /// The scene, and the device that draws it.
 #[derive(Debug, Args)]
 pub struct SceneArgs {
-    /// Size of the picture [default: 1920x1080, a panorama 4096x2048, a fisheye or dome 2048x2048, a face of a cube
-    /// 1024x1024].
+    /// Size of the picture [default: 1920x1080; in commands with --projection, a panorama 4096x2048, a fisheye or dome
+    /// 2048x2048, a face of a cube 1024x1024].
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<(u32, u32)>,
     /// Device to draw on; `auto` is the GPU if there is one.
@@ -31,7 +31,8 @@ pub struct SceneArgs {
 /// Position and orientation of the camera, and the light that it sees.
 #[derive(Debug, Clone, Args)]
 pub struct ViewArgs {
-    /// Horizontal field of view: between 0 and 180 [default: 90], of a fisheye or dome up to 360 [default: 180].
+    /// Horizontal field of view: above 0 and below 180 [default: 90]. In commands with --projection, that of a fisheye or
+    /// dome is up to 360 [default: 180].
     #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub fov: Option<f64>,
     /// Radial coordinate r of the camera in Schwarzschild radii: above 1 (the horizon) at rest, above 1.5 in orbit, from

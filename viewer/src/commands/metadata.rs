@@ -5,12 +5,14 @@ use crate::cli::{
     ATTRIBUTE, DrawingArgs, LightArgs, MethodName, PROGRAM, RecordedOptions, StarArgs,
 };
 use lensbake_core::Motion;
+use lensbake_program::message;
 use lensbake_render::camera::{Projection, View};
 use lensbake_render::lens::Lens;
 use lensbake_render::openexr::{Metadata, Value};
 use lensbake_render::sky::SkySource;
 use lensbake_render::stars::StarSource;
 use lensbake_tables::Header;
+use std::path::Path;
 
 /// The bending table that a picture is drawn with.
 #[derive(Debug)]
@@ -91,6 +93,16 @@ pub fn of(
         ),
         attributes,
     })
+}
+
+/// Says once for all pictures of a command if they cannot record its options; `output` is the name of their files.
+pub fn report_unrecorded(recorded: Option<&RecordedOptions>, output: &Path) {
+    if recorded.is_none() {
+        message!(
+            "viewer: {} does not record its options for --like, because one of its paths is not UTF-8",
+            output.display()
+        );
+    }
 }
 
 /// The deflection method.

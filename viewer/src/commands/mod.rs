@@ -116,6 +116,9 @@ pub enum CommandError {
     /// An option does not go with the projection.
     #[error("{0}")]
     Projection(&'static str),
+    /// The names of the six faces of a cube cannot be made of the output's.
+    #[error("--output: {}: the six faces of a cube need a file name like cube.png", _0.display())]
+    FacesOutput(PathBuf),
     /// The CPU draws in no passes.
     #[error("--pass {0} needs a GPU; leave it out to draw on the CPU")]
     PassOnCpu(String),
@@ -165,9 +168,7 @@ fn spare_inputs(
 /// The path of one of several pictures: the name of the file with an ending before its extension.
 fn named(path: &Path, ending: &str) -> Result<PathBuf, CommandError> {
     let (Some(stem), Some(extension)) = (path.file_stem(), path.extension()) else {
-        return Err(CommandError::Projection(
-            "--output: the six faces of a cube need a file name like cube.png",
-        ));
+        return Err(CommandError::FacesOutput(path.to_owned()));
     };
     let mut name = stem.to_owned();
     name.push("_");

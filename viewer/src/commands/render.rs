@@ -41,6 +41,9 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
         .map(|gpu| renderer(gpu, args.drawing.pass))
         .transpose()?;
     let mut printer = Printer::new(jobs[0].file.output.is_standard_output());
+    if jobs[0].file.format == PictureFormat::OpenExr {
+        metadata::report_unrecorded(args.recorded.as_ref(), &args.output);
+    }
     let (sky, stars) = (Arc::new(sky), stars.map(Arc::new));
     let mut outcome = Outcome::Done;
     let (rendition, exposure) = exposed(args, &jobs);
@@ -181,14 +184,8 @@ impl PictureFile {
     }
 }
 
-/// What the arguments say of the picture apart from its camera. A message says if its options cannot be recorded.
+/// What the arguments say of the picture apart from its camera.
 fn described(args: &RenderArgs) -> Described<'_> {
-    if args.recorded.is_none() {
-        message!(
-            "viewer: {} does not record its options for --like, because one of its paths is not UTF-8",
-            args.output.display()
-        );
-    }
     Described {
         light: &args.scene.view.light,
         drawing: &args.drawing,

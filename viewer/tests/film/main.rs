@@ -1,6 +1,7 @@
 //! `viewer film`: the frames, how they are divided and resumed, videos, and what is refused.
 #![cfg(unix)]
 
+mod cube;
 mod frames;
 mod layers;
 mod mistakes;

@@ -35,6 +35,22 @@ fn what_cannot_be_written_is_named_and_what_was_done_stays() {
 }
 
 #[test]
+fn no_output_is_written_over_the_path() {
+    const PATH: &str = r#"{"keyframes": [{"time": 0}, {"time": 1}]}"#;
+    let folder = folder();
+    let name = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    for (path, output) in [
+        ("a.json", &["--save-path", &name("a.json")][..]),
+        ("3.png", &["--overwrite", "-o", &name("%d.png")]),
+        ("a.mp4", &["--overwrite", "-o", &name("a.mp4")]),
+    ] {
+        let path = file(&folder, path, PATH);
+        film(&[&[text(&path)], output].concat()).refuses(&[text(&path), "also the input"]);
+        assert_eq!(fs::read_to_string(&path).unwrap(), PATH);
+    }
+}
+
+#[test]
 fn mistakes_in_a_path_are_refused_in_one_line() {
     let folder = folder();
     for (keyframes, words) in [
@@ -98,6 +114,10 @@ fn mistakes_in_the_arguments_are_refused_in_one_line() {
         (
             &["--path", "orbit", "-o", "never%s.png"],
             &["never%s.png", "%05d"],
+        ),
+        (
+            &["--path", "orbit", "-o", "never%d", "--projection", "cube"],
+            &["--output", "never%d", "cube.png"],
         ),
         (
             &["--path", "orbit", "-o", "never%d.jpg"],

@@ -96,3 +96,13 @@ fn without_a_working_ffmpeg_there_is_no_video() {
         video(fails.path(), &output, size, &[]).refuses(&["--size", "even"]);
     }
 }
+
+#[test]
+fn a_video_that_fails_leaves_the_old_one() {
+    let folder = folder();
+    let old = file(&folder, "film.mp4", "old");
+    let fails = ffmpeg("for last; do :; done; /bin/cat > \"$last\"; exit 1");
+    video(fails.path(), &old, "64x36", &["--overwrite"]).refuses(&["film.mp4: ffmpeg failed"]);
+    assert_eq!(fs::read(&old).unwrap(), b"old");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}

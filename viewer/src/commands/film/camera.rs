@@ -57,8 +57,7 @@ impl FilmCamera<'_> {
         let mut latent = Latent::new(frame, shot.view, rendition, exposure);
         for shot in self.plan.moments(frame) {
             let lens = self.lens(&shot.view)?;
-            let light = self.draw(&lens, rendition)?;
-            latent.add(light, lens);
+            latent.add(self.draw(lens, rendition)?, shot.view);
         }
         Ok(latent)
     }
@@ -81,15 +80,13 @@ impl FilmCamera<'_> {
         views.iter().map(|view| self.lens(view)).collect()
     }
 
-    /// The rendition of a frame, and the exposure of its file in stops. The path's exposure is added to that of the command
-    /// line.
+    /// The rendition of a frame, and its exposure in stops. The path's exposure is added to that of the command line. Where
+    /// frames keep all light, `auto` changes nothing.
     fn exposed(&self, shot: &Shot) -> Result<(Rendition, f32), CommandError> {
         let plain = Rendition::of(self.shift);
-        if self.keeps_light {
-            return Ok((plain, 0.0));
-        }
         let (rendition, stops) = match self.exposure {
             Exposure::Stops(stops) => (plain, stops),
+            Exposure::Automatic if self.keeps_light => (plain, 0.0),
             Exposure::Automatic => {
                 let stops = exposure::automatic_of_all(&self.lenses(&shot.view)?, self.shift);
                 let light_scale = stops.exp2();
@@ -107,9 +104,9 @@ impl FilmCamera<'_> {
     }
 
     /// Draws without stars: the GPU would add up those of a pixel in another order each time.
-    fn draw(&self, lens: &Lens, rendition: Rendition) -> Result<Picture, GpuError> {
+    fn draw(&self, lens: Lens, rendition: Rendition) -> Result<Picture, GpuError> {
         let scene = Scene {
-            lens: lens.clone(),
+            lens,
             sampling: self.sampling,
             sky: self.sky.clone(),
             stars: None,

@@ -43,7 +43,7 @@ pub enum FilmError {
     /// ffmpeg is not installed.
     #[error(
         "{}: a video needs the program ffmpeg, which is not installed: get it from https://ffmpeg.org or with your \
-         system's packages (apt install ffmpeg), or draw frames: -o %05d.png", 
+         system's packages (apt install ffmpeg), or draw frames: -o %05d.png",
         _0.display()
     )]
     NoFfmpeg(PathBuf),

@@ -1,9 +1,9 @@
 //! A file for each frame.
 
-use super::super::{CommandError, spare_inputs};
-use super::FilmError;
+use super::super::CommandError;
 use super::latent::Developed;
 use super::slate::Slate;
+use super::{FilmError, spare_inputs};
 use crate::cli::FilmArgs;
 use lensbake_film::FrameNames;
 use lensbake_program::output::Output;
@@ -13,18 +13,19 @@ use std::path::Path;
 /// The files of the frames.
 pub(super) struct FrameFiles {
     pub(super) format: PictureFormat,
-    pub(super) size: (u32, u32),
+    /// Number of frames that may be encoded at the same time.
+    pub(super) at_once: usize,
     names: FrameNames,
     pattern: String,
 }
 
 impl FrameFiles {
-    /// Files named by the pattern `path`, of frames of `size` pixels.
-    pub(super) fn new(path: &Path, size: (u32, u32)) -> Result<Self, CommandError> {
+    /// Files named by the pattern `path`, of frames of which `at_once` may be encoded at the same time.
+    pub(super) fn new(path: &Path, at_once: usize) -> Result<Self, CommandError> {
         let names = FrameNames::new(path).map_err(FilmError::from)?;
         Ok(FrameFiles {
             format: PictureFormat::of(path, PictureFormat::ALL)?,
-            size,
+            at_once,
             names,
             pattern: path.display().to_string(),
         })
@@ -50,7 +51,7 @@ impl FrameFiles {
         if args.overwrite {
             for frame in existing {
                 let output = Output::binary(&self.names.path(frame))?;
-                spare_inputs(&output, &args.light, args.stars.stars.as_ref())?;
+                spare_inputs(&output, args)?;
             }
             missing = frames.to_vec();
         }

@@ -1,7 +1,8 @@
 //! A frame between drawing and encoding.
 
+use super::super::CommandError;
+use super::camera::FilmCamera;
 use lensbake_render::camera::View;
-use lensbake_render::lens::Lens;
 use lensbake_render::picture::Picture;
 use lensbake_render::shift::Rendition;
 use lensbake_render::stars::SortedStars;
@@ -9,19 +10,20 @@ use lensbake_render::stars::SortedStars;
 /// A latent frame: the light of its sky, summed over the moments at which the shutter was open, still without stars.
 pub(super) struct Latent {
     frame: u32,
-    /// Exposure of its file, stops.
+    /// Exposure of its file, stops; an .exr, which keeps all light, only records it.
     exposure: f32,
     /// What the frame shows at its time.
     view: View,
     rendition: Rendition,
     light: Option<Picture>,
-    moments: Vec<Lens>,
+    /// What it shows at each moment. Its lenses would take the memory of as many rows of the table.
+    moments: Vec<View>,
 }
 
 /// A frame to be encoded.
 pub(super) struct Developed {
     pub(super) frame: u32,
-    /// Exposure of its file, stops.
+    /// Exposure of its file, stops; an .exr, which keeps all light, only records it.
     pub(super) exposure: f32,
     /// What it shows at its time.
     pub(super) view: View,
@@ -40,31 +42,37 @@ impl Latent {
         }
     }
 
-    /// Adds the light of a moment, seen through `lens`.
-    pub(super) fn add(&mut self, light: Picture, lens: Lens) {
+    /// Adds the light of a moment, which shows `view`.
+    pub(super) fn add(&mut self, light: Picture, view: View) {
         match &mut self.light {
             Some(sum) => sum.add_picture(&light),
             None => self.light = Some(light),
         }
-        self.moments.push(lens);
+        self.moments.push(view);
     }
 
-    /// The frame: the mean over its moments, with `stars`. `None` without moments.
-    pub(super) fn developed(self, stars: Option<&SortedStars>) -> Option<Developed> {
-        let mut picture = self.light?;
+    /// The frame: the mean over its moments, with `stars`, seen by `camera`. `None` without moments.
+    pub(super) fn developed(
+        self,
+        stars: Option<&SortedStars>,
+        camera: &FilmCamera,
+    ) -> Result<Option<Developed>, CommandError> {
+        let Some(mut picture) = self.light else {
+            return Ok(None);
+        };
         if let Some(stars) = stars {
-            for lens in &self.moments {
-                stars.draw(&mut picture, lens, self.rendition);
+            for view in &self.moments {
+                stars.draw(&mut picture, &camera.lens(view)?, self.rendition);
             }
         }
         if self.moments.len() > 1 {
             picture.scale(1.0 / self.moments.len() as f32);
         }
-        Some(Developed {
+        Ok(Some(Developed {
             frame: self.frame,
             exposure: self.exposure,
             view: self.view,
             picture,
-        })
+        }))
     }
 }

@@ -12,12 +12,12 @@ mod video;
 
 pub use error::FilmError;
 
-use super::{CommandError, check_device, gpu_for, named, renderer, star_field, table};
+use super::{CommandError, check_device, gpu_for, metadata, named, renderer, star_field, table};
 use crate::cli::{DeviceName, FilmArgs};
 use camera::FilmCamera;
-use lensbake_program::output;
+use lensbake_program::output::{Output, OutputError};
 use lensbake_program::{Outcome, message};
-use lensbake_render::camera::{Camera, Projection};
+use lensbake_render::camera::Camera;
 use lensbake_render::sky;
 use lensbake_render::stars::SortedStars;
 use pipeline::Summary;
@@ -32,14 +32,16 @@ pub fn run(args: &FilmArgs) -> Result<Outcome, CommandError> {
         .check(args.fov.is_some())
         .map_err(CommandError::Projection)?;
     if let Some(file) = &args.save_path {
-        let plan = Plan::new(args, Projection::Perspective)?;
-        output::write(file, plan.path.to_json().as_bytes())?;
-        message!("wrote {}", file.display());
+        let output = Output::new(file)?;
+        spare_inputs(&output, args)?;
+        output.write(Plan::new(args)?.path.to_json().as_bytes())?;
+        message!("wrote {}", output.name());
         return Ok(Outcome::Done);
     }
     check_device(&args.drawing, args.device == DeviceName::Cpu)?;
     let films = projection.all().into_iter();
-    let films = films.map(|(ending, projection)| Film::new(args, ending, projection));
+    let plan = Plan::new(args)?;
+    let films = films.map(|(ending, projection)| Film::new(args, ending, plan.seen_in(projection)));
     let films: Vec<Film> = films.collect::<Result<_, _>>()?;
     if films.iter().all(|film| film.frames.is_empty()) {
         let skipped: usize = films.iter().map(Film::skipped).sum();
@@ -69,8 +71,18 @@ pub fn run(args: &FilmArgs) -> Result<Outcome, CommandError> {
     for (camera, film) in &takes {
         camera.check(&film.frames)?;
     }
+    if films[0].target.keeps_light()
+        && let Some(output) = &args.output
+    {
+        metadata::report_unrecorded(args.recorded.as_ref(), output);
+    }
     let mut all = Outcome::Done;
     for (camera, film) in &takes {
+        if film.frames.is_empty() {
+            let (name, skipped) = (film.target.name(), film.skipped());
+            message!("{name}: all {skipped} frames exist already");
+            continue;
+        }
         let slate = Slate { args, camera };
         let summary = pipeline::expose(&film.frames, stars.as_ref(), &film.target, &slate)?;
         film.target.finish()?;
@@ -92,12 +104,7 @@ struct Film {
 }
 
 impl Film {
-    fn new(
-        args: &FilmArgs,
-        ending: Option<&str>,
-        projection: Projection,
-    ) -> Result<Self, CommandError> {
-        let plan = Plan::new(args, projection)?;
+    fn new(args: &FilmArgs, ending: Option<&str>, plan: Plan) -> Result<Self, CommandError> {
         // It is missing only with --save-path, which draws nothing.
         let output = args.output.as_deref().unwrap_or("".as_ref());
         let path = match ending {
@@ -121,6 +128,12 @@ impl Film {
     fn skipped(&self) -> usize {
         self.plan.frames.len() - self.frames.len()
     }
+}
+
+/// Checks that `output` overwrites none of the input files of `args`.
+fn spare_inputs(output: &Output, args: &FilmArgs) -> Result<(), OutputError> {
+    super::spare_inputs(output, &args.light, args.stars.stars.as_ref())?;
+    args.file.iter().try_for_each(|path| output.spares(path))
 }
 
 /// The camera of the film with the narrowest pixels, which decides whether a GPU is accurate enough: that of all frames, so

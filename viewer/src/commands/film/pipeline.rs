@@ -100,15 +100,18 @@ fn develop_all(
         let received = lock(receiver).recv();
         let Ok(latent) = received else { return };
         let begun = Instant::now();
-        let Some(frame) = latent.developed(stars) else {
+        let Some(developed) = latent.developed(stars, slate.camera).transpose() else {
             continue;
         };
-        let written = target.write(&frame, slate);
+        let written = developed.and_then(|frame| target.write(&frame, slate).map(|()| frame));
         let mut done = lock(done);
-        if let Err(failure) = written {
-            done.failure.get_or_insert(failure);
-            return;
-        }
+        let frame = match written {
+            Ok(frame) => frame,
+            Err(failure) => {
+                done.failure.get_or_insert(failure);
+                return;
+            }
+        };
         done.frames += 1;
         done.encoding += begun.elapsed();
         if let Some(lost) = frame.picture.without_value() {

@@ -5,17 +5,19 @@ use crate::cli::{DISC_FOV_DEG, FilmArgs};
 use lensbake_film::{FilmClock, Flight, FlightPath, FrameRange, ReadyPath, Shot, Shutter};
 use lensbake_render::camera::{Projection, View};
 use std::path::Path;
+use std::sync::Arc;
 
 /// Length of a film along a ready path unless the user names another, s.
 const READY_SECONDS: f64 = 10.0;
 
 /// What is to be filmed.
+#[derive(Clone)]
 pub(super) struct Plan {
-    pub(super) path: FlightPath,
+    pub(super) path: Arc<FlightPath>,
     pub(super) clock: FilmClock,
     /// Numbers of the frames that the user asks for.
     pub(super) frames: Vec<u32>,
-    flight: Flight,
+    flight: Arc<Flight>,
     shutter: Shutter,
     size: (u32, u32),
     projection: Projection,
@@ -24,8 +26,9 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// The film in this projection, as the arguments describe it.
-    pub(super) fn new(args: &FilmArgs, projection: Projection) -> Result<Self, FilmError> {
+    /// The film as the arguments describe it, in perspective. A file of a path is read here, and only once: it may be a
+    /// FIFO.
+    pub(super) fn new(args: &FilmArgs) -> Result<Self, FilmError> {
         let shutter = Shutter::new(args.shutter, args.subframes)?;
         let (path, flight, seconds) = match (&args.file, args.path) {
             (Some(file), _) => from_file(file, args.seconds)?,
@@ -36,17 +39,27 @@ impl Plan {
         let range = args.frames.unwrap_or(FrameRange::ALL);
         Ok(Plan {
             frames: range.within(clock.frames())?.collect(),
-            path,
+            path: Arc::new(path),
             clock,
-            flight,
+            flight: Arc::new(flight),
             shutter,
             size: args.size(),
-            projection,
-            fov_deg: args.fov.or(match projection {
-                Projection::Fisheye | Projection::Dome { .. } => Some(DISC_FOV_DEG),
-                _ => None,
-            }),
+            projection: Projection::Perspective,
+            fov_deg: args.fov,
         })
+    }
+
+    /// The same film in this projection.
+    pub(super) fn seen_in(&self, projection: Projection) -> Self {
+        let fov_deg = self.fov_deg.or(match projection {
+            Projection::Fisheye | Projection::Dome { .. } => Some(DISC_FOV_DEG),
+            _ => None,
+        });
+        Plan {
+            projection,
+            fov_deg,
+            ..self.clone()
+        }
     }
 
     /// The shot of `frame`.

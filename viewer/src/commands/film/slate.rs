@@ -4,7 +4,7 @@ use super::super::CommandError;
 use super::super::metadata::{self, Described, TableFacts};
 use super::camera::FilmCamera;
 use super::latent::Developed;
-use crate::cli::{FilmArgs, LayerName};
+use crate::cli::{Exposure, FilmArgs, LayerName};
 use lensbake_render::layers;
 use lensbake_render::openexr;
 
@@ -21,8 +21,12 @@ impl Slate<'_> {
         let lens = camera.lens(&frame.view)?;
         let wanted = LayerName::layers_of(&args.aov);
         let layers = layers::trace(&lens, &wanted, camera.sampling, || ());
+        let exposure = match args.drawing.exposure {
+            Exposure::Stops(_) => Some(frame.exposure),
+            Exposure::Automatic => None,
+        };
         let recorded = args.recorded.clone();
-        let recorded = recorded.map(|options| options.with_camera(&frame.view));
+        let recorded = recorded.map(|options| options.with_camera(&frame.view, exposure));
         let described = Described {
             light: &args.light,
             drawing: &args.drawing,

@@ -6,7 +6,8 @@ use super::latent::Developed;
 use super::plan::Plan;
 use super::slate::Slate;
 use super::video::{Video, VideoFormat};
-use crate::cli::FilmArgs;
+use crate::cli::{FilmArgs, LayerName};
+use lensbake_render::layers::Layer;
 use lensbake_render::picture::PictureFormat;
 use std::path::Path;
 use std::thread::available_parallelism;
@@ -21,6 +22,8 @@ pub(super) enum Target {
 const MEMORY: usize = 1 << 30;
 /// Memory of a pixel while its frame is encoded, bytes: light, 8-bit colours, and the encoded file.
 const PIXEL_BYTES: usize = 32;
+/// Memory of a pixel for each channel of a layer, bytes: a 32-bit float, and the same in the encoded file.
+const CHANNEL_BYTES: usize = 8;
 
 impl Target {
     /// The target at `path`, and the frames of `plan` that are not there yet. Everything about it is checked
@@ -36,7 +39,8 @@ impl Target {
                 Ok((Target::Video(video), plan.frames.clone()))
             }
             None => {
-                let files = FrameFiles::new(path, args.size())?;
+                let layers = LayerName::layers_of(&args.aov);
+                let files = FrameFiles::new(path, frames_at_once(args.size(), &layers))?;
                 let frames = files.missing(&plan.frames, args)?;
                 Ok((Target::Files(files), frames))
             }
@@ -61,10 +65,8 @@ impl Target {
         match self {
             Target::Video(_) => 1,
             Target::Files(files) => {
-                let (width, height) = files.size;
-                let fit = MEMORY / (PIXEL_BYTES * width as usize * height as usize);
                 let cores = available_parallelism().map_or(1, |cores| cores.get());
-                cores.min(fit).max(1)
+                cores.min(files.at_once)
             }
         }
     }
@@ -83,5 +85,28 @@ impl Target {
             Target::Files(_) => Ok(()),
             Target::Video(video) => video.finish(),
         }
+    }
+}
+
+/// Number of frames of this size, with these layers, that may be encoded at the same time: at least one.
+fn frames_at_once((width, height): (u32, u32), layers: &[Layer]) -> usize {
+    // A layer that is named twice is written once.
+    let written = Layer::ALL.iter().filter(|layer| layers.contains(layer));
+    let channels: usize = written.map(|layer| layer.components().len()).sum();
+    let pixel_bytes = PIXEL_BYTES + CHANNEL_BYTES * channels;
+    (MEMORY / (pixel_bytes * width as usize * height as usize)).max(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn layers_take_memory_once_each() {
+        let large = (3840, 2160);
+        assert_eq!(frames_at_once(large, &[]), 4);
+        assert_eq!(frames_at_once(large, &[Layer::Uv, Layer::Uv]), 2);
+        assert_eq!(frames_at_once(large, &Layer::ALL), 1);
+        assert_eq!(frames_at_once((16384, 16384), &Layer::ALL), 1);
     }
 }

@@ -1,7 +1,7 @@
 //! A video, which ffmpeg encodes: frames go to its standard input.
 
-use super::super::{CommandError, spare_inputs};
-use super::FilmError;
+use super::super::CommandError;
+use super::{FilmError, spare_inputs};
 use crate::cli::FilmArgs;
 use lensbake_film::FrameRate;
 use lensbake_program::output::{Output, Staged};
@@ -86,7 +86,7 @@ impl Video {
             return Err(FilmError::VideoExists(path.to_owned()).into());
         }
         let output = Output::new(path)?;
-        spare_inputs(&output, &args.light, args.stars.stars.as_ref())?;
+        spare_inputs(&output, args)?;
         let staged = output.stage()?;
         let mut command = Command::new(FFMPEG);
         command
