@@ -82,8 +82,8 @@ impl Viewer {
     /// If it is none.
     #[wasm_bindgen(js_name = keepPath)]
     pub fn keep_path(&mut self, text: &str) -> Result<(), JsError> {
-        let path = text.parse().map_err(error::<PathError>)?;
-        self.session.recording.keep(path);
+        let path: Result<FlightPath, PathError> = text.parse();
+        self.session.recording.keep(path.map_err(error)?);
         Ok(())
     }
 
