@@ -1,14 +1,13 @@
 //! A path of the camera: keyframes that the user sets, and the flight along them.
 
 use crate::settings::Settings;
-use glam::DVec3;
 use lensbake_core::Motion;
 use lensbake_film::{
     Channel, Flight, FlightPath, Keyframe, KeyframeMotion, Orientation, PathError,
 };
-use lensbake_render::camera::View;
+use lensbake_render::camera::{Place, View};
 
-/// Time from one keyframe to the next, seconds of the film, where nothing moves the camera by itself.
+/// Time from one keyframe to the next, in seconds of the film, if nothing has moved the camera by itself.
 const SPACING_S: f64 = 3.0;
 
 /// A path of the camera, as far as it is set, and its flight while it plays.
@@ -223,12 +222,8 @@ fn motion_of(settings: &Settings) -> Result<KeyframeMotion, String> {
 fn arrives(flight: &Flight, time: f64, settings: &Settings) -> bool {
     const NEAR: f64 = 1e-3;
     let (there, here) = (flight.shot(time, (1, 1)).view, &settings.view);
-    let direction = |view: &View| {
-        let (latitude_sin, latitude_cos) = view.latitude_deg.to_radians().sin_cos();
-        let (sin, cos) = view.orbit_deg.to_radians().sin_cos();
-        DVec3::new(latitude_cos * sin, latitude_sin, latitude_cos * cos)
-    };
-    let apart = direction(&there).distance(direction(here));
+    let [from, to] = [&there, here].map(|view| Place::of(view).direction());
+    let apart = from.distance(to);
     (there.radius / here.radius - 1.0).abs() < NEAR && apart < NEAR
 }
 
@@ -290,6 +285,7 @@ fn unwind(keyframe: &mut Keyframe, before: &Keyframe) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
     use lensbake_render::camera::Camera;
 
     fn settings(radius: f64, orbit_deg: f64) -> Settings {

@@ -2,6 +2,7 @@
 
 use crate::frame_clock::FrameClock;
 use crate::input::Input;
+use crate::keys::Command;
 use crate::meter::Meter;
 use crate::panel_info::PanelInfo;
 use crate::plan::{Plan, scaled};
@@ -138,10 +139,18 @@ impl Session {
         (moving, said)
     }
 
-    /// Adds a keyframe for the camera as it is now. Returns a message.
-    pub fn set_keyframe(&mut self) -> String {
-        let set = self.recording.set_keyframe(&self.state.settings);
-        set.unwrap_or_else(|problem| problem)
+    /// Runs a command of the path of the camera, apart from saving it. Returns a message, `None` for other commands.
+    pub fn obey_path(&mut self, command: Command) -> Option<String> {
+        let recording = &mut self.recording;
+        match command {
+            Command::SetKeyframe => {
+                let set = recording.set_keyframe(&self.state.settings);
+                Some(set.unwrap_or_else(|problem| problem))
+            }
+            Command::TakeKeyframeBack => Some(recording.take_back()),
+            Command::PlayPath => Some(recording.play_or_stop()),
+            _ => None,
+        }
     }
 
     /// Whether something moved in the last frame.

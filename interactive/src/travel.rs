@@ -106,12 +106,7 @@ fn go_along_orbit(view: &mut View, time: f64) {
     let Ok(rate) = orbit_rate(view.radius) else {
         return;
     };
-    let place = Place {
-        longitude_deg: view.orbit_deg,
-        latitude_deg: view.latitude_deg,
-        heading_deg: view.heading_deg,
-    };
-    let place = place.moved(rate * time);
+    let place = Place::of(view).moved(rate * time);
     // The picture turns with the direction of motion, so that it is not turned over beyond a pole.
     let turned = place.heading_deg - view.heading_deg;
     let orientation = Orientation::of(view).turned(turned);

@@ -40,9 +40,12 @@ pub fn automatic_of_all(lenses: &[Lens], shift: Shift) -> f32 {
 /// Whether a place is in the picture: for a fisheye, on its disc. Places are in units of the picture's width and height from
 /// its centre.
 fn is_shown(lens: &Lens, place: DVec2) -> bool {
-    let camera = &lens.camera;
-    let stretched = DVec2::new(1.0, f64::from(camera.height) / f64::from(camera.width));
-    camera.mapping != Mapping::Equidistant || (place * stretched).length() < 0.5
+    lens.camera.coverage_at(place * size(lens)) > 0.5
+}
+
+/// Width and height of the picture, pixels.
+fn size(lens: &Lens) -> DVec2 {
+    DVec2::new(lens.camera.width.into(), lens.camera.height.into())
 }
 
 /// The corners of a picture, or four places on the rim of a fisheye.
@@ -60,9 +63,8 @@ fn border(lens: &Lens) -> impl Iterator<Item = DVec2> {
 fn mean_brightness<'a>(places: impl Iterator<Item = (&'a Lens, DVec2)>) -> Option<f64> {
     let (mut sum, mut count) = (0.0, 0.0);
     for (lens, place) in places {
-        let camera = &lens.camera;
-        let size = DVec2::new(camera.width.into(), camera.height.into());
-        if let RayOutcome::Escapes(ray) = lens.ray(camera.ray(place * size).normalize()) {
+        let direction = lens.camera.ray(place * size(lens)).normalize();
+        if let RayOutcome::Escapes(ray) = lens.ray(direction) {
             sum += 4.0 * ray.frequency_shift.log2();
             count += 1.0;
         }

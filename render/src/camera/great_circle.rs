@@ -4,6 +4,7 @@
 //! d = e cos h + n sin h. Along the great circle by the angle a, p becomes p cos a + d sin a and d becomes
 //! d cos a − p sin a. Vectors have no special place at the poles.
 
+use super::View;
 use glam::DVec3;
 
 /// A place on the sphere around the hole and a direction there, degrees.
@@ -18,6 +19,21 @@ pub struct Place {
 }
 
 impl Place {
+    /// The place and heading of the camera of a view.
+    pub fn of(view: &View) -> Self {
+        Place {
+            longitude_deg: view.orbit_deg,
+            latitude_deg: view.latitude_deg,
+            heading_deg: view.heading_deg,
+        }
+    }
+
+    /// The unit vector from the hole to the place, in the sky frame.
+    pub fn direction(self) -> DVec3 {
+        let [place, ..] = self.axes();
+        place
+    }
+
     /// The place and heading after moving along the great circle of the heading by `angle`, rad. The latitude stays on
     /// its side of ±90°: over a pole, longitude and heading jump instead. The new angles are from −180° to 180°, the
     /// longitude to 360°.
@@ -66,7 +82,7 @@ impl Place {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::camera::{Camera, View};
+    use crate::camera::Camera;
     use lensbake_core::Motion;
     use proptest::prelude::*;
 

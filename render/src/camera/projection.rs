@@ -259,10 +259,16 @@ impl Camera {
 
     /// The share of pixel (column, row) that the picture covers: 1 in the picture, 0 outside the disc of a fisheye.
     pub fn coverage(&self, column: u32, row: u32) -> f64 {
+        self.coverage_at(self.position(column, row))
+    }
+
+    /// As [`Camera::coverage`], of a pixel around `at`, in pixels from the centre of the picture: above 1/2 where that point
+    /// is in the picture.
+    pub(crate) fn coverage_at(&self, at: DVec2) -> f64 {
         if self.mapping != Mapping::Equidistant {
             return 1.0;
         }
-        let inside = 0.5 * f64::from(self.width) - self.position(column, row).length();
+        let inside = 0.5 * f64::from(self.width) - at.length();
         (inside + 0.5).clamp(0.0, 1.0)
     }
 

@@ -15,7 +15,7 @@ pub use draw::{
 };
 pub use film::FilmArgs;
 pub use measure::{BenchArgs, ChartArgs, FlickerArgs, ReferenceArgs};
-pub use projection::{DISC_FOV_DEG, ProjectionArgs};
+pub use projection::{ProjectionArgs, disc_fov_deg};
 pub use read::read;
 pub use recorded::{ATTRIBUTE, PROGRAM, RecordedOptions};
 pub use scene::{DeviceName, LightArgs, MethodName, PassName, SamplingName, SceneArgs};

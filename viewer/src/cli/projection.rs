@@ -3,8 +3,13 @@
 use clap::{Args, ValueEnum};
 use lensbake_render::camera::{CubeFace, Projection};
 
-/// Field of view of a fisheye or dome unless the user asks for another, degrees.
-pub const DISC_FOV_DEG: f64 = 180.0;
+/// The field of view of a fisheye or dome unless the user asks for another, degrees; `None` for the other projections.
+pub fn disc_fov_deg(projection: Projection) -> Option<f64> {
+    match projection {
+        Projection::Fisheye | Projection::Dome { .. } => Some(180.0),
+        Projection::Perspective | Projection::Equirectangular | Projection::CubeFace(_) => None,
+    }
+}
 
 /// Default tilt of a dome, degrees: none.
 const TILT: f64 = 0.0;

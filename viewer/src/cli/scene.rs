@@ -1,6 +1,6 @@
 //! Options of a scene: view, sky, table and device.
 
-use super::projection::DISC_FOV_DEG;
+use super::projection::disc_fov_deg;
 use super::values::{place, size, sky};
 use clap::builder::{OsStringValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -227,10 +227,8 @@ pub enum DeviceName {
 impl ViewArgs {
     /// The view that the options describe, for a picture of this size in this projection.
     pub fn view(&self, (width, height): (u32, u32), projection: Projection) -> View {
-        let fov_deg = self.fov.unwrap_or(match projection {
-            Projection::Fisheye | Projection::Dome { .. } => DISC_FOV_DEG,
-            _ => View::default().fov_deg,
-        });
+        let fov_deg = self.fov.or(disc_fov_deg(projection));
+        let fov_deg = fov_deg.unwrap_or(View::default().fov_deg);
         // The direction from the hole to the camera is opposite to the one in which the camera sees the hole.
         let (orbit_deg, latitude_deg) = match self.hole {
             Some((right_ascension, declination)) => (right_ascension, -declination),

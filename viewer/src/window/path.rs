@@ -10,18 +10,14 @@ use lensbake_program::output::OutputError;
 /// # Errors
 /// [`OutputError`] if the path cannot be saved.
 pub fn obey(session: &mut Session, command: Command) -> Result<String, OutputError> {
-    let recording = &mut session.recording;
-    Ok(match command {
-        Command::SetKeyframe => session.set_keyframe(),
-        Command::TakeKeyframeBack => recording.take_back(),
-        Command::PlayPath => recording.play_or_stop(),
-        _ if recording.path().keyframes.is_empty() => {
-            "there is no path to save: K sets a keyframe".to_owned()
-        }
-        _ => {
-            let file = saved::path(recording.path())?;
-            let file = file.display();
-            format!("wrote {file}: viewer film {file} -o film.mp4")
-        }
-    })
+    if let Some(said) = session.obey_path(command) {
+        return Ok(said);
+    }
+    let path = session.recording.path();
+    if path.keyframes.is_empty() {
+        return Ok("there is no path to save: K sets a keyframe".to_owned());
+    }
+    let file = saved::path(path)?;
+    let file = file.display();
+    Ok(format!("wrote {file}: viewer film {file} -o film.mp4"))
 }

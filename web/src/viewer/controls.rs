@@ -33,19 +33,12 @@ impl Viewer {
                 self.reset();
                 "redraw"
             }
-            Reaction::Command(Command::SetKeyframe) => {
-                let said = self.session.set_keyframe();
-                self.say(said);
-                "redraw"
-            }
-            Reaction::Command(Command::TakeKeyframeBack) => {
-                let said = self.session.recording.take_back();
-                self.say(said);
-                "redraw"
-            }
-            Reaction::Command(Command::PlayPath) => {
-                let said = self.session.recording.play_or_stop();
-                self.say(said);
+            Reaction::Command(
+                command @ (Command::SetKeyframe | Command::TakeKeyframeBack | Command::PlayPath),
+            ) => {
+                if let Some(said) = self.session.obey_path(command) {
+                    self.say(said);
+                }
                 "redraw"
             }
             Reaction::Command(Command::SavePath) => "save-path",

@@ -1,7 +1,7 @@
 //! What is to be filmed: the flight, and the times of the frames.
 
 use super::FilmError;
-use crate::cli::{DISC_FOV_DEG, FilmArgs};
+use crate::cli::{FilmArgs, disc_fov_deg};
 use lensbake_film::{FilmClock, Flight, FlightPath, FrameRange, ReadyPath, Shot, Shutter};
 use lensbake_render::camera::{Projection, View};
 use std::path::Path;
@@ -51,13 +51,9 @@ impl Plan {
 
     /// The same film in this projection.
     pub(super) fn seen_in(&self, projection: Projection) -> Self {
-        let fov_deg = self.fov_deg.or(match projection {
-            Projection::Fisheye | Projection::Dome { .. } => Some(DISC_FOV_DEG),
-            _ => None,
-        });
         Plan {
             projection,
-            fov_deg,
+            fov_deg: self.fov_deg.or(disc_fov_deg(projection)),
             ..self.clone()
         }
     }
