@@ -140,7 +140,7 @@ impl Channel {
     }
 }
 
-/// Checks that a camera at `radius` can move so.
+/// Checks that `motion` is possible at `radius`.
 pub(crate) fn check_radius(radius: f64, motion: KeyframeMotion) -> Result<(), KeyframeError> {
     if !radius.is_finite() {
         return Err(KeyframeError::NotFinite(radius));

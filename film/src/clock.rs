@@ -16,7 +16,7 @@ pub struct FrameRate {
     seconds: f64,
 }
 
-/// A text that is no [`FrameRate`].
+/// The text is not a [`FrameRate`].
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error(
     "must be a number above 0 and at most {MAX_RATE}, such as 30, or a ratio such as 30000/1001"

@@ -90,7 +90,7 @@ pub enum KeyframeError {
     /// The radius is below that at which a fall ends.
     #[error("{0} is below {FALL_END}, where a fall ends")]
     BelowTheFall(f64),
-    /// No camera can move so at the radius.
+    /// The motion is not possible at this radius.
     #[error(transparent)]
     Impossible(#[from] CoreError),
     /// The value follows from physics.

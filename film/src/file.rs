@@ -9,7 +9,7 @@ use thiserror::Error;
 /// Largest file that is read, bytes.
 const MAX_BYTES: u64 = 1 << 24;
 
-/// Why a file is no path of a flight.
+/// Why a file cannot be read as the path of a flight.
 #[derive(Debug, Error)]
 #[error("{}: {problem}", path.display())]
 pub struct PathFileError {
@@ -28,7 +28,7 @@ pub enum PathFileProblem {
     /// The file is too large.
     #[error("is larger than 16 MiB, the most that a path may have")]
     TooLarge,
-    /// The text is no path, or the path cannot be flown.
+    /// The text is not a path, or the path cannot be flown.
     #[error(transparent)]
     Path(#[from] PathError),
 }

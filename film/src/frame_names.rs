@@ -13,7 +13,7 @@ pub struct FrameNames {
     digits: usize,
 }
 
-/// Why a path is no pattern.
+/// Why a path is not a pattern of file names.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum FrameNamesError {
     /// The name holds no `%d`.

@@ -15,7 +15,7 @@ pub struct FrameRange {
 /// Why a range names no frames of a film.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum FrameRangeError {
-    /// The text is no range.
+    /// The text is not a range.
     #[error("must be A..B or A..B:STEP, from frame A to before frame B; A or B may be left out")]
     Malformed,
     /// The range ends where it begins, or before.

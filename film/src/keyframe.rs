@@ -137,7 +137,7 @@ pub enum KeyframeMotion {
     Fall,
 }
 
-/// A field that is named must have a value: `null`, which some programs write for a number that is not finite, is none.
+/// A field that is named must have a value. Some programs write `null` for a number that is not finite; it is not a value.
 fn named<'de, T: Deserialize<'de>, D: Deserializer<'de>>(text: D) -> Result<Option<T>, D::Error> {
     T::deserialize(text).map(Some)
 }

@@ -9,7 +9,7 @@ pub struct Shutter {
     moments: u32,
 }
 
-/// Why a shutter is none.
+/// Why a shutter is not valid.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum ShutterError {
     /// The time that it is open is out of range.

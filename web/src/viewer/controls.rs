@@ -72,7 +72,7 @@ impl Viewer {
     /// Takes back the path of the camera that another viewer had, its [`Viewer::path`], without playing it.
     ///
     /// # Errors
-    /// If it is none.
+    /// If the text is not a path.
     #[wasm_bindgen(js_name = keepPath)]
     pub fn keep_path(&mut self, text: &str) -> Result<(), JsError> {
         let path: Result<FlightPath, PathError> = text.parse();

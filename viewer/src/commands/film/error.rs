@@ -28,7 +28,7 @@ pub enum FilmError {
     /// The range is not in the film.
     #[error("--frames: {0}")]
     Frames(#[from] FrameRangeError),
-    /// The shutter is none.
+    /// The shutter is not valid.
     #[error("--shutter: {0}")]
     Shutter(#[from] ShutterError),
     /// The output names no frames.
