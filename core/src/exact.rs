@@ -54,7 +54,7 @@ fn phi_from_apsis(ray: &Ray, u: f64, depth: f64) -> f64 {
 /// Orbital angle of an outward ray from the observer to infinity, by Carlson's integral with one linear and one
 /// quadratic factor, which is valid for real and for complex pairs of roots (Carlson 1991, Math. Comp. 56, 267;
 /// DLMF 19.29.28 with 19.29.7).
-fn phi_outward(ray: &Ray) -> f64 {
+pub(crate) fn phi_outward(ray: &Ray) -> f64 {
     let u = ray.u;
     let (u1, v) = ray.negative_root();
     // Square roots of the linear factor u − u₁ and of the quadratic factor, at both ends.

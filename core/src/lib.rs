@@ -18,7 +18,8 @@
 //!
 //! The first two take a [`Ray`], which an [`Observer`] creates: at rest, or in any radial motion, above or below the
 //! horizon. A [`MovingFrame`] is the frame of an observer in any motion; it adds the aberration of the view direction and
-//! the frequency shift. [`geodesic`] has the free fall and the circular orbit by proper time.
+//! the frequency shift. [`orbit`] has the orbit of a ray by its phase, [`accretion`] the light and the frequency of
+//! matter in a thin disc. [`geodesic`] has the free fall and the circular orbit by proper time.
 //!
 //! ```
 //! use lensbake_core::rk4::Stepper;
@@ -42,6 +43,7 @@
 //!
 //! The crate depends on no other crate of the project and contains nothing about files, tables or GPUs.
 
+pub mod accretion;
 mod boost;
 pub mod direct;
 mod error;
@@ -50,6 +52,7 @@ pub mod geodesic;
 mod motion;
 mod moving_frame;
 mod observer;
+pub mod orbit;
 mod ray;
 mod ray_outcome;
 pub mod rk4;

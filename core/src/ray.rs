@@ -9,7 +9,7 @@
 //!
 //! κ > 0: the ray turns round at a periapsis. κ < 0: it crosses the photon sphere. κ = 0: it is critical, b = b_c.
 
-use crate::{CoreError, MAX_DISTANCE, Observer, ShadowCoordinate};
+use crate::{CoreError, MAX_DISTANCE, Observer, ShadowCoordinate, U_PHOTON};
 
 /// A light ray traced backwards from the observer, given by its initial conditions there.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,6 +64,21 @@ impl Ray {
             });
         }
         Ok(Observer::at_infinity().ray_at(ShadowCoordinate::from_b(b)))
+    }
+
+    /// The ray with 1/b = `inv_b` that leaves the inverse radius `u` outwards at |du/dφ| = `speed`. It has no view angle
+    /// and no shadow coordinate.
+    pub(crate) fn leaving(u: f64, inv_b: f64, speed: f64) -> Self {
+        Ray {
+            u,
+            w: U_PHOTON - u,
+            theta: f64::NAN,
+            x: f64::NAN,
+            captured: false,
+            inv_b,
+            du_dphi: -speed,
+            kappa: 4.0 / 27.0 - inv_b * inv_b,
+        }
     }
 
     /// Impact parameter b in units of r_s.

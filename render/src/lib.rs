@@ -11,6 +11,7 @@
 pub mod camera;
 pub mod cpu;
 pub mod diff;
+pub mod disc;
 pub mod exposure;
 pub mod filter;
 pub mod footprint;

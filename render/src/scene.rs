@@ -1,5 +1,6 @@
-//! A scene: a lens, the sky behind the hole, and point stars in front of that sky.
+//! A scene: a lens, the sky behind the hole, point stars in front of that sky, and a disc around the hole.
 
+use crate::disc::Disc;
 use crate::lens::Lens;
 use crate::shift::{Rendition, Shift};
 use crate::sky::Sky;
@@ -40,6 +41,8 @@ pub struct Scene<S = Arc<Sky>, P = Arc<StarField>> {
     pub stars: Option<P>,
     /// How the light of the sky becomes light of the picture.
     pub rendition: Rendition,
+    /// The disc of matter around the hole, if any. It must be valid ([`Disc::check`]).
+    pub disc: Option<Disc>,
 }
 
 impl<S, P> Scene<S, P> {
@@ -51,6 +54,7 @@ impl<S, P> Scene<S, P> {
             sky: sky.into(),
             stars: None,
             rendition: Rendition::default(),
+            disc: None,
         }
     }
 
@@ -63,6 +67,14 @@ impl<S, P> Scene<S, P> {
     pub fn with_shift(self, shift: Shift) -> Self {
         Scene {
             rendition: Rendition::of(shift),
+            ..self
+        }
+    }
+
+    /// The same scene with this disc around the hole.
+    pub fn with_disc(self, disc: Disc) -> Self {
+        Scene {
+            disc: Some(disc),
             ..self
         }
     }

@@ -59,6 +59,7 @@ fn prepare(
                     sky: sky.clone(),
                     stars: stars.clone(),
                     rendition: plan.rendition,
+                    disc: None,
                 };
                 realtime.show(&scene, plan.show);
                 presenter.show(plan.picture(), &plan.window, plan.presentation);

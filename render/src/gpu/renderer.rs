@@ -140,6 +140,7 @@ impl Renderer {
             sky,
             stars,
             rendition: scene.rendition,
+            disc: scene.disc,
         })
     }
 

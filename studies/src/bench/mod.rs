@@ -221,6 +221,7 @@ impl Flight<'_> {
             sky: self.sky.clone(),
             stars: contender.stars.then(|| self.stars.clone()),
             rendition: Rendition::default(),
+            disc: None,
         };
         let pass = usize::from(contender.pass(self.pass) == Pass::Fragment);
         let shape = usize::from(contender.motion == Motion::Fall);

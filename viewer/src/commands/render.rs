@@ -66,6 +66,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
             sky: sky.clone(),
             stars: stars.clone(),
             rendition,
+            disc: None,
         };
         if !picture(args, renderer.as_ref(), &scene, &job, exposure)? {
             outcome = Outcome::Missed;

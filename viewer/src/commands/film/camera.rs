@@ -111,6 +111,7 @@ impl FilmCamera<'_> {
             sky: self.sky.clone(),
             stars: None,
             rendition,
+            disc: None,
         };
         match &self.renderer {
             Some(renderer) => block_on(renderer.picture(&scene, |_| ())),
