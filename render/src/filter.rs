@@ -189,14 +189,13 @@ impl<'a> FilteredPixels<'a> {
     fn edge_light(&self, sky: Option<&Sky>, at: DVec2) -> Vec4 {
         let mut sum = Vec4::ZERO;
         for (patch, part) in self.edge_parts(at) {
-            let mut light = Vec4::ZERO;
             if part.covered > 0.0 {
                 let outside = patch.moved(part.shift * patch.gradient(), part.extent);
-                light = part.covered as f32 * self.outside_light(sky, &outside);
+                sum += part.covered as f32 * self.outside_light(sky, &outside);
             }
-            sum += self.behind_inward(&patch, light);
         }
-        sum / (SUB_RAYS * SUB_RAYS) as f32
+        // What is before the periapsis changes little within a pixel, also across the edge.
+        self.behind_inward(&self.patch(at, 1.0), sum / (SUB_RAYS * SUB_RAYS) as f32)
     }
 
     /// `light` with what the disc adds and hides before the periapsis of the rays of `patch`.

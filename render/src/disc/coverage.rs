@@ -19,14 +19,49 @@ pub(crate) fn positive_share(value: f64, right: f64, down: f64) -> f64 {
     if value >= 0.0 { larger } else { 1.0 - larger }
 }
 
-/// The mean over an interval of phases of `width` around `middle` (rad) of a function with period π that is 1 from
-/// `low` to `high` and 0 elsewhere; 0 ≤ low ≤ high ≤ π.
-pub(crate) fn periodic_share(middle: f64, width: f64, low: f64, high: f64) -> f64 {
-    let integral = |at: f64| {
-        let turns = (at / PI).floor();
-        turns * (high - low) + (at - turns * PI - low).clamp(0.0, high - low)
-    };
-    (integral(middle + 0.5 * width) - integral(middle - 0.5 * width)) / width
+/// Images of a disc that crowd together beside the edge of the shadow, in a patch that sees them at the distances
+/// `middle` ± `half` from that edge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Crowded {
+    /// Distance of the middle of the patch, > 0.
+    pub middle: f64,
+    /// Half the range of distances.
+    pub half: f64,
+    /// Phase at the middle at which the leg is in the plane of the disc, rad.
+    pub phase: f64,
+    /// −dφ/d ln distance: the phase grows like the logarithm of the distance.
+    pub growth: f64,
+}
+
+/// Number of image orders that a patch may see; the next has e^−4π of its area.
+const ORDERS: i32 = 4;
+
+impl Crowded {
+    /// The share of the patch in which the phase, up to half turns, is from `low` to `high`, 0 ≤ low ≤ high ≤ π, and the
+    /// phase in the middle of the image that takes most of it.
+    pub(crate) fn share(&self, low: f64, high: f64) -> (f64, f64) {
+        let Crowded {
+            middle,
+            half,
+            phase,
+            growth,
+        } = *self;
+        let (first, last) = ((middle - half).max(0.0), middle + half);
+        let at = |distance: f64| phase - growth * (distance / middle).ln();
+        let distance = |at: f64| (middle * ((phase - at) / growth).exp()).clamp(first, last);
+        let lowest = (at(last) / PI).floor();
+        let (mut sum, mut largest, mut seen) = (0.0, 0.0, low);
+        for order in 0..ORDERS {
+            let turns = (lowest + f64::from(order)) * PI;
+            let (near, far) = (distance(high + turns), distance(low + turns));
+            sum += far - near;
+            if far - near > largest {
+                largest = far - near;
+                seen = at(0.5 * (near + far)) - turns;
+            }
+        }
+        (sum / (last - first), seen)
+    }
 }
 
 #[cfg(test)]
@@ -47,15 +82,20 @@ mod tests {
         }
 
         #[test]
-        fn the_periodic_share_is_its_mean(middle in -4.0..4.0f64, width in 0.01..9.0f64, low in 0.0..1.0f64, size in 0.0..2.0f64) {
+        fn the_share_of_crowded_images_is_their_area(
+            middle in 0.2..3.0f64, phase in 0.0..PI, growth in 0.8..1.2f64, low in 0.0..1.0f64, size in 0.1..2.0f64,
+        ) {
+            let crowded = Crowded { middle, half: 0.2, phase, growth };
             let n = 4000;
             let inside = (0..n).filter(|i| {
-                let at = middle + width * ((f64::from(*i) + 0.5) / f64::from(n) - 0.5);
-                let at = at.rem_euclid(PI);
+                let distance = middle + 0.4 * ((f64::from(*i) + 0.5) / f64::from(n) - 0.5);
+                let at = (phase - growth * (distance / middle).ln()).rem_euclid(PI);
                 at > low && at < low + size
             });
             let counted = inside.count() as f64 / f64::from(n);
-            prop_assert!((periodic_share(middle, width, low, low + size) - counted).abs() < 2e-3);
+            let (share, seen) = crowded.share(low, low + size);
+            prop_assert!((share - counted).abs() < 2e-3, "{share} {counted}");
+            prop_assert!(seen > low - 1e-9 && seen < low + size + 1e-9);
         }
     }
 

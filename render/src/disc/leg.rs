@@ -14,14 +14,14 @@
 //! seen edge-on and covers less than a pixel, whereas the radius of the crossing is not. So the edges of the disc's image
 //! are where a height is 0, and the share of the patch is the difference of the shares on which the two are positive.
 //! Beside the shadow's edge φ_∞ grows without bound, images of all orders crowd together, and the heights oscillate within
-//! a patch. There the share is the mean over the range of φ_∞, which is exact.
+//! a patch. φ_∞ grows like the logarithm of the distance from that edge, so each image covers a known range of distances.
 
-use super::coverage::{periodic_share, positive_share};
+use super::coverage::{Crowded, positive_share};
 use crate::footprint::Patch;
 use glam::DVec2;
 use std::f64::consts::PI;
 
-/// A leg turns by this angle within a patch, rad, where the mean over the angle replaces the edges.
+/// A leg turns by this angle within a patch, rad, where its images count as crowded.
 pub(crate) const FAST_TURN: f64 = 0.25;
 
 /// A quantity with its derivative by the view angle θ.
@@ -94,25 +94,29 @@ pub(crate) struct Crossing {
 }
 
 impl Leg {
-    /// The crossing in the mean over `patch`; `None` if no part of it sees one.
-    pub(crate) fn crossing(&self, patch: &Patch) -> Option<Crossing> {
-        let turn = self.turn.abs() * patch.gradient();
+    /// The crossing in the mean over `patch`; `None` if no part of it sees one. `from_shadow` is the distance of its middle
+    /// from the edge of the shadow, rad, for a leg that leaves for the sky.
+    pub(crate) fn crossing(&self, patch: &Patch, from_shadow: Option<f64>) -> Option<Crossing> {
         let (low, high) = (self.far.phase(), self.near.phase());
         if low >= high {
             return None;
         }
-        let phase = self.phase_in_plane();
+        let in_plane = self.phase_in_plane();
         let above = [self.far, self.near].map(|end| self.share_above(end, patch));
-        let share = if turn > FAST_TURN {
-            periodic_share(phase, turn, low, high)
-        } else {
-            (above[0] - above[1]).abs()
-        };
-        // Of phases that differ by half a turn, the one nearest to the disc.
-        let phase = if phase - high > low - (phase - PI) {
-            phase - PI
-        } else {
-            phase
+        let turn = self.turn.abs() * patch.gradient();
+        let (share, phase) = match from_shadow {
+            Some(middle) if turn > FAST_TURN => {
+                let crowded = Crowded {
+                    middle,
+                    half: 0.5 * patch.gradient(),
+                    phase: in_plane,
+                    growth: self.turn.abs() * middle,
+                };
+                crowded.share(low, high)
+            }
+            // Of phases that differ by half a turn, the one nearest to the disc.
+            _ if 2.0 * in_plane - PI > low + high => ((above[0] - above[1]).abs(), in_plane - PI),
+            _ => ((above[0] - above[1]).abs(), in_plane),
         };
         (share > 0.0).then_some(Crossing {
             share,

@@ -5,6 +5,7 @@ use super::{Disc, Rim};
 use crate::camera::ViewAngle;
 use crate::footprint::Patch;
 use crate::lens::{Deflected, Deflection, Lens};
+use crate::shadow::Shadow;
 use crate::shift::{Rendition, Shift};
 use glam::{DVec2, DVec3, Vec4};
 use lensbake_core::accretion::emitted_frequency;
@@ -20,6 +21,7 @@ pub struct SeenDisc<'a> {
     axis: DVec3,
     inner: Rim,
     outer: Rim,
+    shadow: Shadow,
     /// Factor of its light.
     scale: f32,
 }
@@ -64,6 +66,7 @@ impl<'a> SeenDisc<'a> {
             axis: lens.camera.sky_from_hole.transpose() * disc.orientation.axis(),
             inner: rim(disc.inner),
             outer: rim(disc.outer),
+            shadow: Shadow::of(lens),
             scale: match rendition.shift {
                 Shift::Off => 1.0,
                 Shift::Brightness | Shift::Colour => rendition.light_scale,
@@ -177,7 +180,7 @@ impl<'a> SeenDisc<'a> {
             far,
             near,
         };
-        let crossing = leg.crossing(patch)?;
+        let crossing = leg.crossing(patch, None)?;
         let angle = (crossing.phase - behind.phase()).max(0.0);
         Some(self.hit(crossing, &leg, &orbit, patch, angle))
     }
@@ -208,7 +211,11 @@ impl<'a> SeenDisc<'a> {
             far,
             near,
         };
-        let crossing = leg.crossing(patch)?;
+        let from_shadow = self
+            .shadow
+            .distance(patch.view_angle)
+            .max(f64::MIN_POSITIVE);
+        let crossing = leg.crossing(patch, Some(from_shadow))?;
         let total = PI - patch.view_angle.radians() + deflected.bend;
         let angle = (total - crossing.phase).max(0.0);
         Some(self.hit(crossing, &leg, &orbit, patch, angle))

@@ -3,46 +3,63 @@
 // #import classify_tiles
 // #import disc_hits
 
-// Whether a leg may meet the disc within a patch. `uncertain` bounds the change of the phases of its far and its near end
-// within the patch where they change like a square root.
+// The shares of a patch in which an end of a leg is above the disc, for the bounds of its phase. `uncertain` is how much
+// that changes within the patch where it changes like a square root; 0 elsewhere.
+fn bounds_above(leg: Leg, end: End, seen: Patch, uncertain: f32) -> vec2<f32> {
+    if uncertain == 0.0 {
+        return vec2(share_above(leg, end, seen));
+    }
+    let less = end.phase.value - uncertain;
+    let more = end.phase.value + uncertain;
+    return vec2(
+        share_above(leg, End(end.kind, Varying(less, 0.0), cos_sin(less)), seen),
+        share_above(leg, End(end.kind, Varying(more, 0.0), cos_sin(more)), seen),
+    );
+}
+
+// Whether a leg may meet the disc within a patch.
 fn may_cross(leg: Leg, seen: Patch, uncertain: vec2<f32>) -> bool {
-    let far = leg.far;
-    let near = leg.near;
     let above = vec4(
-        share_above(leg, End(far.kind, Varying(far.phase.value - uncertain.x, far.phase.slope)), seen),
-        share_above(leg, End(far.kind, Varying(far.phase.value + uncertain.x, far.phase.slope)), seen),
-        share_above(leg, End(near.kind, Varying(near.phase.value - uncertain.y, near.phase.slope)), seen),
-        share_above(leg, End(near.kind, Varying(near.phase.value + uncertain.y, near.phase.slope)), seen),
+        bounds_above(leg, leg.far, seen, uncertain.x),
+        bounds_above(leg, leg.near, seen, uncertain.y),
     );
     return any(above > vec4(0.0)) && any(above < vec4(1.0));
 }
 
-// Bound on the change of the phase at a rim of inverse radius u within a patch in which m² changes by `slack`: that of a
+// Bound on the change of the phase at a rim of inverse radius u within a patch in which m² changes by ± `slack`: that of a
 // square root if it reaches 0 there.
 fn uncertainty(speed_sq: f32, slack: f32, u: f32) -> f32 {
-    return select(0.0, 2.0 * sqrt(slack) / u, abs(speed_sq) < slack);
+    return select(0.0, sqrt(2.0 * slack) / u, abs(speed_sq) < slack);
 }
 
-// Whether a tile may show the disc. The heights at the ends of its legs are bounded over a patch of twice the tile's size.
+// Whether a tile may show the disc. The heights at the ends of its legs are bounded over a patch half as large again.
 fn may_show_disc(corner: vec2<f32>) -> bool {
     let at = corner + 0.5 * f32(TILE) - 0.5 * vec2<f32>(camera.size);
-    let seen = patch_at(at, 2.0 * f32(TILE));
-    let middle = orbit_of(seen, 0.0).inv_b_sq;
-    let slack = abs(middle.slope) * gradient(seen);
+    let seen = patch_at(at, 1.5 * f32(TILE));
+    let middle = inv_b_sq_of(seen);
+    let slack = 0.75 * abs(middle.slope) * gradient(seen);
     // A tile of which only a part comes near enough to the hole counts as if its middle just did.
     let missing = disc.outer_least - middle.value;
     let orbit = orbit_of(seen, select(0.0, missing * 1.00001, missing > 0.0 && missing < slack));
-    if !has_inward_leg(orbit) && !has_outward_leg(orbit) {
-        return false;
+    var found = false;
+    // In a loop of one turn: see disc_over.wgsl.
+    for (var possible = has_inward_leg(orbit) || has_outward_leg(orbit); possible; possible = false) {
+        found = may_meet_disc(seen, orbit, slack);
     }
+    return found;
+}
+
+// Whether rays of this orbit may meet the disc within a patch in which m² changes by ± `slack`.
+fn may_meet_disc(seen: Patch, orbit: Orbit, slack: f32) -> bool {
     let ray = leaving(deflect_patch(seen.c, seen.p));
     let other = opposite(seen);
+    let near = near_end(orbit, ray, other);
     let uncertain = vec2(
         uncertainty(orbit.inv_b_sq.value - disc.outer_least, slack, disc.outer_u),
         uncertainty(orbit.inv_b_sq.value - disc.inner_least, slack, disc.inner_u),
     );
-    return (has_inward_leg(orbit) && may_cross(inward_leg(seen, orbit, ray, other), seen, uncertain))
-        || (has_outward_leg(orbit) && may_cross(outward_leg(seen, orbit, ray, other), seen, uncertain));
+    return (has_inward_leg(orbit) && may_cross(inward_leg(seen, orbit, near, other), seen, uncertain))
+        || (has_outward_leg(orbit) && may_cross(outward_leg(seen, orbit, near, ray), seen, uncertain));
 }
 
 @compute @workgroup_size(64)

@@ -20,15 +20,29 @@ fn positive_share(value: f32, right: f32, down: f32) -> f32 {
     return select(1.0 - larger, larger, value >= 0.0);
 }
 
-fn periodic_integral(at: f32, low: f32, high: f32) -> f32 {
-    let turns = floor(at / HALF_TURN);
-    return turns * (high - low) + clamp(at - turns * HALF_TURN - low, 0.0, high - low);
-}
-
-// The mean over an interval of phases of `width` around `middle` of a function with period π that is 1 from `low` to
-// `high` and 0 elsewhere.
-fn periodic_share(middle: f32, width: f32, low: f32, high: f32) -> f32 {
-    let below = periodic_integral(middle - 0.5 * width, low, high);
-    let above = periodic_integral(middle + 0.5 * width, low, high);
-    return clamp((above - below) / width, 0.0, 1.0);
+// Images of a disc that crowd together beside the edge of the shadow: the share of the patch in which the phase, up to half
+// turns, is from `low` to `high`, and the phase in the middle of the image that takes most of it. The patch sees them at the
+// distances `middle` ± `half` from that edge; the phase is `phase` in the middle and grows by −`growth` with the logarithm of
+// the distance.
+fn crowded_share(middle: f32, half: f32, phase: f32, growth: f32, low: f32, high: f32) -> vec2<f32> {
+    let first = max(middle - half, 0.0);
+    let last = middle + half;
+    let lowest = floor((phase - growth * log(last / middle)) / HALF_TURN) * HALF_TURN;
+    // From one image order to the next, distances shrink by the same factor.
+    let shrinks = exp(-HALF_TURN / growth);
+    var near = middle * exp((phase - high - lowest) / growth);
+    var far = middle * exp((phase - low - lowest) / growth);
+    var sum = 0.0;
+    var largest = 0.0;
+    var seen = vec2(last, lowest);
+    for (var order = 0.0; order < 4.0; order += 1.0) {
+        let range = clamp(vec2(near, far), vec2(first), vec2(last));
+        let covered = range.y - range.x;
+        sum += covered;
+        seen = select(seen, vec2(0.5 * (range.x + range.y), lowest + order * HALF_TURN), covered > largest);
+        largest = max(largest, covered);
+        near *= shrinks;
+        far *= shrinks;
+    }
+    return vec2(sum / (last - first), phase - growth * log(seen.x / middle) - seen.y);
 }

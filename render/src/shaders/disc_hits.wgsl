@@ -24,52 +24,71 @@ struct Leaving {
     turn: f32,
 }
 
-// The coefficients of a rim's phase begin at `first`. The polynomial and its derivative at t = 4α/π − 1.
-fn rim_phase(t: f32, first: u32) -> vec2<f32> {
-    var value = 0.0;
-    var slope = 0.0;
-    for (var i = 3u; i > 0u; i--) {
-        let four = disc.phases[first + i - 1u];
-        slope = slope * t + value;
-        value = value * t + four.w;
-        slope = slope * t + value;
-        value = value * t + four.z;
-        slope = slope * t + value;
-        value = value * t + four.y;
-        slope = slope * t + value;
-        value = value * t + four.x;
-    }
-    return vec2(value, slope);
+// The polynomial with the coefficients `four`, lowest first, plus t⁴ times the polynomial `above`, each with its derivative.
+fn lower_powers(t: f32, above: vec2<f32>, four: vec4<f32>) -> vec2<f32> {
+    var p = vec2(above.x * t + four.w, above.y * t + above.x);
+    p = vec2(p.x * t + four.z, p.y * t + p.x);
+    p = vec2(p.x * t + four.y, p.y * t + p.x);
+    return vec2(p.x * t + four.x, p.y * t + p.x);
 }
 
-// The end of a leg at the rim of inverse radius u. Its phase changes like a square root where rays have their periapsis
+// The phase of the inner rim and its derivative at t = 4α/π − 1; then of the outer rim. A software adapter looks up an element
+// of an array one pixel at a time, unless its index is a constant.
+fn inner_phase(t: f32) -> vec2<f32> {
+    let high = lower_powers(t, vec2(0.0), disc.phases[2]);
+    return lower_powers(t, lower_powers(t, high, disc.phases[1]), disc.phases[0]);
+}
+
+fn outer_phase(t: f32) -> vec2<f32> {
+    let high = lower_powers(t, vec2(0.0), disc.phases[5]);
+    return lower_powers(t, lower_powers(t, high, disc.phases[4]), disc.phases[3]);
+}
+
+// t = 4α/π − 1 of a ray with this m² at the rim of inverse radius u.
+fn rim_place(u: f32, speed_sq: f32) -> f32 {
+    return angle(sqrt(max(speed_sq, 0.0)), u) * 1.2732395 - 1.0;
+}
+
+// The end of a leg at the rim of inverse radius u, from its phase and the derivative of that by t. It changes like a square root where rays have their periapsis
 // there, so m² is at least `least_speed_sq` in its derivative.
-fn at_rim(u: f32, speed_sq: f32, first: u32, inv_b_sq: Varying, least_speed_sq: f32) -> End {
-    let phase = rim_phase(angle(sqrt(max(speed_sq, 0.0)), u) * 1.2732395 - 1.0, first);
+fn at_rim(u: f32, speed_sq: f32, phase: vec2<f32>, inv_b_sq: Varying, least_speed_sq: f32) -> End {
     let bounded = max(max(speed_sq, least_speed_sq), 1e-20);
     let by_square = -0.63661975 * u * inverseSqrt(bounded) / (u * u + bounded);
-    return End(AT_RIM, Varying(phase.x, phase.y * by_square * inv_b_sq.slope));
+    let slope = phase.y * by_square * inv_b_sq.slope;
+    return End(AT_RIM, Varying(phase.x, slope), cos_sin(phase.x));
+}
+
+// The redshift factor of the ray through the middle of a patch, in parts: that of light from the direction of the hole, and of
+// light from straight away.
+fn redshift_parts(seen: Patch) -> vec2<f32> {
+    return 0.5 * orbit_redshifts() * vec2(1.0 + seen.c, 1.0 - seen.c);
+}
+
+// 1/b² of the ray through the middle of a patch.
+fn inv_b_sq_of(seen: Patch) -> Varying {
+    let z = orbit_redshifts();
+    let p = max(seen.p, 1e-6);
+    let parts = redshift_parts(seen);
+    let redshift = parts.x + parts.y;
+    let inv_b = camera.inverse_radius * redshift / p;
+    let slope = camera.inverse_radius * (0.5 * (z.y - z.x) - redshift * seen.c / (p * p));
+    return Varying(inv_b * inv_b, 2.0 * inv_b * slope);
 }
 
 // The orbit of the ray through the middle of a patch. `more` is added to 1/b².
 fn orbit_of(seen: Patch, more: f32) -> Orbit {
-    let z = orbit_redshifts();
-    let p = max(seen.p, 1e-6);
-    let towards = 0.5 * z.x * (1.0 + seen.c);
-    let away = 0.5 * z.y * (1.0 - seen.c);
-    let redshift = towards + away;
-    let inv_b = camera.inverse_radius * redshift / p;
-    let slope = camera.inverse_radius * (0.5 * (z.y - z.x) - redshift * seen.c / (p * p));
-    let square = Varying(inv_b * inv_b + more, 2.0 * inv_b * slope);
+    let parts = redshift_parts(seen);
+    var square = inv_b_sq_of(seen);
+    square.value += more;
     let least = 0.25 * abs(square.slope) * gradient(seen);
     let inner_sq = square.value - disc.inner_least;
     let outer_sq = square.value - disc.outer_least;
     return Orbit(
         square,
-        towards > away,
-        1.0 / (camera.inverse_radius * redshift),
-        at_rim(disc.inner_u, inner_sq, 0u, square, least),
-        at_rim(disc.outer_u, outer_sq, 3u, square, least),
+        parts.x > parts.y,
+        1.0 / (camera.inverse_radius * (parts.x + parts.y)),
+        at_rim(disc.inner_u, inner_sq, inner_phase(rim_place(disc.inner_u, inner_sq)), square, least),
+        at_rim(disc.outer_u, outer_sq, outer_phase(rim_place(disc.outer_u, outer_sq)), square, least),
         inner_sq >= 0.0,
         outer_sq >= 0.0,
     );
@@ -98,21 +117,12 @@ fn at_periapsis(ray: Leaving, other: Leaving) -> End {
         ray.sky.x * other.sky.x - ray.sky.y * other.sky.y,
         ray.sky.y * other.sky.x + ray.sky.x * other.sky.y,
     );
-    return End(AT_PERIAPSIS, Varying(0.5 * full_angle(whole), 0.5 * (ray.turn + other.turn)));
+    let phase = 0.5 * full_angle(whole);
+    return End(AT_PERIAPSIS, Varying(phase, 0.5 * (ray.turn + other.turn)), cos_sin(phase));
 }
 
 fn at_observer(ray: Leaving) -> End {
-    return End(AT_OBSERVER, Varying(full_angle(ray.sky), 0.0));
-}
-
-fn end_of(condition: bool, yes: End, no: End) -> End {
-    return End(
-        select(no.kind, yes.kind, condition),
-        Varying(
-            select(no.phase.value, yes.phase.value, condition),
-            select(no.phase.slope, yes.phase.slope, condition),
-        ),
-    );
+    return End(AT_OBSERVER, Varying(full_angle(ray.sky), 0.0), ray.sky);
 }
 
 // The axis of the disc in the plane of the ray through the middle of a patch.
@@ -127,33 +137,35 @@ fn has_inward_leg(orbit: Orbit) -> bool {
     return orbit.inwards && u < disc.inner_u && (u >= disc.outer_u || orbit.reaches_outer);
 }
 
-// The leg before the periapsis, of a ray that leaves like `ray` if it escapes.
-fn inward_leg(seen: Patch, orbit: Orbit, ray: Leaving, other: Leaving) -> Leg {
-    return Leg(
-        other.sky,
-        other.turn,
-        axis_in_plane(seen) * vec3(1.0, -1.0, -1.0),
-        -1.0,
-        end_of(camera.inverse_radius >= disc.outer_u, at_observer(other), orbit.outer),
-        end_of(orbit.reaches_inner, orbit.inner, at_periapsis(ray, other)),
-    );
-}
-
 // Whether the leg on which rays of this orbit leave for the sky can meet the disc.
 fn has_outward_leg(orbit: Orbit) -> bool {
     return orbit.reaches_outer && (orbit.inwards || camera.inverse_radius > disc.outer_u);
 }
 
-// The leg beyond the periapsis of the ray that leaves like `ray`.
-fn outward_leg(seen: Patch, orbit: Orbit, ray: Leaving, other: Leaving) -> Leg {
-    let from_observer = !orbit.inwards && camera.inverse_radius <= disc.inner_u;
-    let turning = end_of(orbit.reaches_inner, orbit.inner, at_periapsis(ray, other));
-    return Leg(
-        ray.sky,
-        ray.turn,
-        axis_in_plane(seen),
-        1.0,
-        orbit.outer,
-        end_of(from_observer, at_observer(ray), turning),
-    );
+// The end of the legs near the hole: the inner rim, or the periapsis of a ray that does not reach it.
+fn near_end(orbit: Orbit, ray: Leaving, other: Leaving) -> End {
+    var near = orbit.inner;
+    for (var turns = !orbit.reaches_inner; turns; turns = false) {
+        near = at_periapsis(ray, other);
+    }
+    return near;
+}
+
+// The leg before the periapsis.
+fn inward_leg(seen: Patch, orbit: Orbit, near: End, other: Leaving) -> Leg {
+    var far = orbit.outer;
+    if camera.inverse_radius >= disc.outer_u {
+        far = at_observer(other);
+    }
+    let axis = axis_in_plane(seen) * vec3(1.0, -1.0, -1.0);
+    return Leg(other.sky, other.turn, axis, -1.0, far, near);
+}
+
+// The leg beyond the periapsis, or beyond an observer whom the ray leaves outwards.
+fn outward_leg(seen: Patch, orbit: Orbit, near: End, ray: Leaving) -> Leg {
+    var first = near;
+    if !orbit.inwards && camera.inverse_radius <= disc.inner_u {
+        first = at_observer(ray);
+    }
+    return Leg(ray.sky, ray.turn, axis_in_plane(seen), 1.0, orbit.outer, first);
 }

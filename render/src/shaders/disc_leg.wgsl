@@ -1,7 +1,9 @@
 // One leg of a ray, and where it meets the disc. disc/leg.rs explains the method and is the reference in f64.
 // #import arithmetic
+// #import camera
 // #import coverage
 // #import patch
+// #import shadow
 
 // An angle, or a quantity along a ray, with its derivative by the view angle θ.
 struct Varying {
@@ -14,9 +16,11 @@ const AT_RIM: u32 = 0u;
 const AT_PERIAPSIS: u32 = 1u;
 const AT_OBSERVER: u32 = 2u;
 
+// An end of a leg: its phase, and the cos and sin of that phase.
 struct End {
     kind: u32,
     phase: Varying,
+    turned: vec2<f32>,
 }
 
 struct Leg {
@@ -58,7 +62,7 @@ fn share_above(leg: Leg, end: End, seen: Patch) -> f32 {
         let height = select(leg.axis.x, leg.side * leg.axis.y, leg.axis.x == 0.0);
         return select(0.0, 1.0, height > 0.0);
     }
-    let t = cos_sin(end.phase.value);
+    let t = end.turned;
     let at = vec2(dot(leg.sky, t), leg.sky.y * t.x - leg.sky.x * t.y);
     let height = dot(leg.axis.xy, at);
     let radial = (leg.axis.y * at.x - leg.axis.x * at.y) * (leg.turn - end.phase.slope);
@@ -70,25 +74,33 @@ fn share_above(leg: Leg, end: End, seen: Patch) -> f32 {
     );
 }
 
+// Where the leg meets the disc in a patch.
 fn crossing_of(leg: Leg, seen: Patch) -> Crossing {
     let low = leg.far.phase.value;
     let high = leg.near.phase.value;
-    // The phase in [0, π) at which the leg is in the plane of the disc.
-    let cross = dot(leg.axis.xy, leg.sky);
-    let along = leg.axis.y * leg.sky.x - leg.axis.x * leg.sky.y;
-    let in_plane = angle(select(-along, along, cross >= 0.0), abs(cross));
     let above = vec2(share_above(leg, leg.far, seen), share_above(leg, leg.near, seen));
-    let width = abs(leg.turn) * gradient(seen);
-    let share = select(
-        abs(above.x - above.y),
-        periodic_share(in_plane, max(width, FAST_TURN), low, high),
-        width > FAST_TURN,
-    );
-    // Of phases that differ by half a turn, the one nearest to the disc.
-    let nearest = select(in_plane, in_plane - HALF_TURN, 2.0 * in_plane - HALF_TURN > low + high);
+    let px = gradient(seen);
+    let is_crowded = leg.side > 0.0 && abs(leg.turn) * px > FAST_TURN;
+    // In loops of one turn: see disc_over.wgsl.
+    var share = abs(above.x - above.y);
+    var phase = low;
+    for (var met = low < high && (share > 0.0 || is_crowded); met; met = false) {
+        // The phase in [0, π) at which the leg is in the plane of the disc.
+        let cross = dot(leg.axis.xy, leg.sky);
+        let along = leg.axis.y * leg.sky.x - leg.axis.x * leg.sky.y;
+        let in_plane = angle(select(-along, along, cross >= 0.0), abs(cross));
+        // Of phases that differ by half a turn, the one nearest to the disc.
+        phase = select(in_plane, in_plane - HALF_TURN, 2.0 * in_plane - HALF_TURN > low + high);
+        for (var crowded = is_crowded; crowded; crowded = false) {
+            let middle = max(shadow_distance(seen.c, seen.p, half_shadow()), 1e-9);
+            let found = crowded_share(middle, 0.5 * px, in_plane, abs(leg.turn) * middle, low, high);
+            share = found.x;
+            phase = found.y;
+        }
+    }
     return Crossing(
         select(0.0, share, low < high),
-        clamp(nearest, low, high),
+        clamp(phase, low, high),
         above,
         select(0.0, 1.0, leg.near.kind == AT_PERIAPSIS),
     );

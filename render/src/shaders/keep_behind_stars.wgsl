@@ -2,7 +2,7 @@
 // #import region
 // #import star_light
 // #import storable
-fn kept_behind(id: vec2<u32>, seen: Veiled) -> vec4<f32> {
+fn kept_behind(id: vec2<u32>, seen: Veil) -> vec4<f32> {
     let stars = star_light(region.first + id) * seen.through;
     return vec4(storable(seen.light.rgb + stars), seen.light.a);
 }

@@ -8,6 +8,7 @@
 fn pixel(id: vec2<u32>) -> vec4<f32> {
     let seen = patch_of(view_direction(id), vec3(0.0), vec3(0.0));
     let deflected = deflect_patch(seen.c, seen.p);
-    let sky = Veiled(pixel_light(seen.d, seen.p, deflected), 1.0);
-    return kept_behind(id, behind_disc(seen, deflected, sky));
+    var sum = veil_of(seen, deflected);
+    sum.light += sum.through * pixel_light(seen.d, seen.p, deflected);
+    return kept_behind(id, sum);
 }
