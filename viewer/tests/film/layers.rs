@@ -34,6 +34,10 @@ fn a_frame_has_layers_and_can_be_drawn_again_from_itself() {
             "colour",
             "--aov",
             "shift,uv",
+            "--disc",
+            "3,9",
+            "--disc-opacity",
+            "0.6",
             "-o",
             &frames,
         ];
