@@ -104,7 +104,7 @@ mod tests {
         });
         let lens = Lens::new(camera.unwrap(), default_atlas(), Deflection::Lut).unwrap();
         for budget_px in [0.1, 1e-9] {
-            let choice = choose(&lens, budget_px, Precision::F64).unwrap();
+            let choice = choose(&lens, None, budget_px, Precision::F64).unwrap();
             let text = explain(&choice, &lens, 0.05);
             let lines = |verdict| text.lines().filter(|l| l.starts_with(verdict)).count();
             assert_eq!(lines("left out"), choice.left_out.len(), "{text}");

@@ -51,7 +51,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     let (rendition, exposure) = exposed(args, &jobs);
     for mut job in jobs {
         if args.explain || args.budget_px.is_some() {
-            let choice = least::choice(&job.lens, budget_px, gpu.as_ref())?;
+            let choice = least::choice(&job.lens, disc, budget_px, gpu.as_ref())?;
             if args.explain {
                 least::print(&choice, &job.lens, light.step, &mut printer);
             }
