@@ -119,8 +119,8 @@ pub struct Choice {
     pub rounding_px: f64,
     /// Number of sample pixels of the predictions.
     pub samples: usize,
-    /// Number of those that show a disc.
-    pub samples_of_disc: usize,
+    /// Number of those that show the disc; `None` without one.
+    pub samples_of_disc: Option<usize>,
     /// The first model within the budget; `None` if even the whole row exceeds it.
     pub chosen: Option<Candidate>,
     /// The cheaper models, which exceed the budget, cheapest first.

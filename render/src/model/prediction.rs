@@ -45,6 +45,8 @@ pub struct Prediction {
     /// At that pixel, rad: on the sky, or for a disc the angle by which its image is displaced. `None` if the ray outcome
     /// differs from the closed form's.
     pub radians: Option<f64>,
+    /// Whether it is an error of the disc.
+    pub on_disc: bool,
     /// (column, row) of the pixel.
     pub worst: (u32, u32),
 }
@@ -112,10 +114,11 @@ impl<'a> Predictor<'a> {
         self.samples.len()
     }
 
-    /// Number of samples that show the disc.
-    pub fn samples_of_disc(&self) -> usize {
+    /// Number of samples that show the disc; `None` without one.
+    pub fn samples_of_disc(&self) -> Option<usize> {
         let shows_disc = |sample: &&Sample| sample.disc.is_some();
-        self.samples.iter().filter(shows_disc).count()
+        let shown = self.samples.iter().filter(shows_disc).count();
+        self.disc.is_some().then_some(shown)
     }
 
     /// Largest error of a sample by rounding alone, pixels.
@@ -139,6 +142,7 @@ impl<'a> Predictor<'a> {
         let nothing = || Prediction {
             pixels: 0.0,
             radians: Some(0.0),
+            on_disc: false,
             worst: (0, 0),
         };
         let disc = self.disc.as_ref();
@@ -204,6 +208,7 @@ impl<'a> Predictor<'a> {
         let of_sky = Prediction {
             pixels: error.pixels() + rounding,
             radians: error.radians(),
+            on_disc: false,
             worst: sky.at(),
         };
         let (Some(pixel), Some(disc)) = (&sample.disc, &drawn.disc) else {
@@ -213,6 +218,7 @@ impl<'a> Predictor<'a> {
         of_sky.worse(Prediction {
             pixels: displaced + rounding,
             radians: Some(displaced * sky.gradient()),
+            on_disc: true,
             worst: sky.at(),
         })
     }
