@@ -41,7 +41,8 @@ fn the_explanation_names_the_choice_and_the_picture_is_drawn_by_it() {
 #[test]
 fn the_explanation_says_what_a_disc_adds() {
     let folder = tempfile::tempdir().unwrap();
-    let scene = ["--explain", "-r", "6", "--yaw", "120", "--fov", "60"];
+    // The part of the disc between the camera and the hole.
+    let scene = ["--explain", "-r", "6", "--pitch", "-14", "--fov", "20"];
     let explain = |more: &[&str]| {
         let run = render(folder.path(), &[&scene, more].concat());
         assert_eq!(run.code, 0, "{}", run.stderr);
