@@ -124,7 +124,7 @@ fn small_pictures_keep_their_budget_and_cheaper_models_would_not() {
     assert_eq!(scenes.len(), 360);
     let mut chosen = Vec::new();
     for (index, (lens, budget_px)) in scenes.iter().enumerate() {
-        let choice = choose(lens, *budget_px, Precision::F64).unwrap();
+        let choice = choose(lens, None, *budget_px, Precision::F64).unwrap();
         check_budget(index, lens, &choice, 0.0);
         chosen.push(choice.chosen.map(|candidate| candidate.model));
     }
@@ -152,7 +152,7 @@ fn tally(chosen: &[Option<Model>]) -> Vec<(String, usize)> {
 #[test]
 fn large_pictures_are_judged_by_few_of_their_pixels() {
     for (index, (lens, budget_px)) in scenes(36, 7, (640, 360)).iter().enumerate() {
-        let choice = choose(lens, *budget_px, Precision::F64).unwrap();
+        let choice = choose(lens, None, *budget_px, Precision::F64).unwrap();
         assert!(choice.samples < lens.camera.pixels() / 10);
         check_budget(index, lens, &choice, 0.01);
     }
@@ -161,7 +161,7 @@ fn large_pictures_are_judged_by_few_of_their_pixels() {
 #[test]
 fn the_choice_is_always_the_same() {
     for (lens, budget_px) in scenes(12, 3, (640, 360)) {
-        let again = || choose(&lens, budget_px, Precision::F64).unwrap();
+        let again = || choose(&lens, None, budget_px, Precision::F64).unwrap();
         assert_eq!(again(), again());
     }
 }
@@ -172,7 +172,7 @@ fn pictures_on_the_gpu_keep_their_budget_too() {
     let renderer = renderer();
     let mut met = 0;
     for (index, (lens, budget_px)) in scenes(108, 11, (64, 36)).iter().enumerate() {
-        let choice = choose(lens, *budget_px, Precision::F32).unwrap();
+        let choice = choose(lens, None, *budget_px, Precision::F32).unwrap();
         let Some(chosen) = choice.chosen else {
             continue;
         };

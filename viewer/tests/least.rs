@@ -39,6 +39,27 @@ fn the_explanation_names_the_choice_and_the_picture_is_drawn_by_it() {
 }
 
 #[test]
+fn the_explanation_says_what_a_disc_adds() {
+    let folder = tempfile::tempdir().unwrap();
+    // The part of the disc between the camera and the hole.
+    let scene = ["--explain", "-r", "6", "--pitch", "-14", "--fov", "20"];
+    let explain = |more: &[&str]| {
+        let run = render(folder.path(), &[&scene, more].concat());
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        run.stdout
+    };
+    let (without, with) = (explain(&[]), explain(&["--disc"]));
+    assert!(!without.contains("disc"), "{without}");
+    for words in [
+        "with disc  in every model",
+        "bytes per frame more",
+        "px, on the disc (",
+    ] {
+        assert!(with.contains(words), "{words}: {with}");
+    }
+}
+
+#[test]
 fn a_budget_that_nothing_keeps_is_missed_and_drawn_all_the_same() {
     let folder = tempfile::tempdir().unwrap();
     let run = render(folder.path(), &["--budget-px", "1e-9"]);

@@ -27,6 +27,9 @@ struct DiscBlock {
     padding: [f32; 3],
 }
 
+/// Bytes of the uniform block of a disc.
+pub const DISC_BYTES: usize = size_of::<DiscBlock>();
+
 impl DiscBlock {
     fn new(lens: &Lens, disc: Disc, rendition: Rendition) -> Self {
         let seen = SeenDisc::new(lens, disc, rendition);

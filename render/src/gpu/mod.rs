@@ -35,6 +35,7 @@ mod timestamps;
 pub use camera_block::{CameraBlock, UNIFORM_BYTES};
 pub use camera_key::CameraKey;
 pub use device::{Gpu, GpuError};
+pub use disc_block::DISC_BYTES;
 pub use pass::Pass;
 pub use passes::Passes;
 pub use prepared::Prepared;

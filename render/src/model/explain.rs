@@ -1,6 +1,7 @@
 //! The choice of a model as text: what was chosen, what was left out, and why.
 
 use super::{Candidate, Choice, Cost, Model, Precision};
+use crate::gpu::DISC_BYTES;
 use crate::lens::{Deflection, Lens};
 
 /// The choice as a text table. `lens` is the lens of the choice, and `step` (rad) that of the direct integration
@@ -47,12 +48,28 @@ fn heading(choice: &Choice, lens: &Lens) -> String {
         "model",
         "largest error, at pixel",
         "cost of the bending",
+    ) + &disc(choice)
+}
+
+/// What a disc adds, if there is one.
+fn disc(choice: &Choice) -> String {
+    let Some(samples) = choice.samples_of_disc else {
+        return String::new();
+    };
+    line(
+        "with disc",
+        "in every model",
+        &format!("shown at {samples} of these pixels"),
+        &format!(
+            "{DISC_BYTES:5} bytes per frame more, and the bending twice per ray that may meet it"
+        ),
     )
 }
 
 fn tried(verdict: &str, candidate: &Candidate) -> String {
     let prediction = &candidate.prediction;
     let radians = match prediction.radians {
+        Some(_) if prediction.on_disc => "on the disc".to_owned(),
         Some(radians) => format!("{radians:.1e} rad"),
         None => "other outcome".to_owned(),
     };
@@ -86,6 +103,7 @@ fn two_digits(value: f64) -> String {
 mod tests {
     use super::*;
     use crate::camera::{Camera, View};
+    use crate::disc::Disc;
     use crate::model::choose;
     use lensbake_tables::default_atlas;
 
@@ -103,14 +121,15 @@ mod tests {
             ..View::default()
         });
         let lens = Lens::new(camera.unwrap(), default_atlas(), Deflection::Lut).unwrap();
-        for budget_px in [0.1, 1e-9] {
-            let choice = choose(&lens, budget_px, Precision::F64).unwrap();
+        for (budget_px, disc) in [(0.1, None), (1e-9, None), (0.1, Some(Disc::default()))] {
+            let choice = choose(&lens, disc, budget_px, Precision::F64).unwrap();
             let text = explain(&choice, &lens, 0.05);
             let lines = |verdict| text.lines().filter(|l| l.starts_with(verdict)).count();
             assert_eq!(lines("left out"), choice.left_out.len(), "{text}");
             assert_eq!(lines("chosen"), usize::from(choice.chosen.is_some()));
             assert_eq!(lines("none"), usize::from(choice.chosen.is_none()));
             assert_eq!(lines("not asked"), 1);
+            assert_eq!(lines("with disc"), usize::from(disc.is_some()));
         }
     }
 }

@@ -6,6 +6,7 @@
 //! space, and the first within the error budget is chosen.
 
 mod cost;
+mod disc;
 mod explain;
 mod prediction;
 mod samples;
@@ -14,7 +15,9 @@ pub use cost::Cost;
 pub use explain::explain;
 pub use prediction::{Precision, Prediction};
 
+use crate::disc::Disc;
 use crate::lens::{Deflection, Lens, LensError};
+use disc::{DiscReference, integrated};
 use lensbake_tables::Interpolation;
 use prediction::Predictor;
 use std::fmt;
@@ -116,6 +119,8 @@ pub struct Choice {
     pub rounding_px: f64,
     /// Number of sample pixels of the predictions.
     pub samples: usize,
+    /// Number of those that show the disc; `None` without one.
+    pub samples_of_disc: Option<usize>,
     /// The first model within the budget; `None` if even the whole row exceeds it.
     pub chosen: Option<Candidate>,
     /// The cheaper models, which exceed the budget, cheapest first.
@@ -125,12 +130,20 @@ pub struct Choice {
 }
 
 /// Chooses the cheapest model of `lens`, whose row must be the table's, with an error of at most `budget_px`
-/// pixels in image space when drawn in `precision`. Takes about ten milliseconds; the result is deterministic.
+/// pixels in image space, of the sky and of `disc` if there is one, when drawn in `precision`. Takes about ten milliseconds;
+/// the result is deterministic.
 ///
 /// # Errors
 /// [`LensError`] as [`Model::lens`], which no row of a valid table causes.
-pub fn choose(lens: &Lens, budget_px: f64, precision: Precision) -> Result<Choice, LensError> {
-    let predictor = Predictor::new(lens, precision);
+pub fn choose(
+    lens: &Lens,
+    disc: Option<Disc>,
+    budget_px: f64,
+    precision: Precision,
+) -> Result<Choice, LensError> {
+    let integrated = integrated(lens);
+    let disc = disc.map(|disc| DiscReference::new(lens, &integrated, disc));
+    let predictor = Predictor::new(lens, disc, precision);
     let mut models = Model::ladder(lens.row.texel_count()).into_iter();
     let (mut chosen, mut left_out) = (None, Vec::new());
     for model in models.by_ref() {
@@ -151,6 +164,7 @@ pub fn choose(lens: &Lens, budget_px: f64, precision: Precision) -> Result<Choic
         precision,
         rounding_px: predictor.rounding_px(),
         samples: predictor.samples(),
+        samples_of_disc: predictor.samples_of_disc(),
         chosen,
         left_out,
         not_needed: models.collect(),
@@ -205,14 +219,14 @@ mod tests {
             height: 36,
             ..View::default()
         };
-        let choice = choose(&lens(view), DEFAULT_BUDGET_PX, Precision::F64).unwrap();
+        let choice = choose(&lens(view), None, DEFAULT_BUDGET_PX, Precision::F64).unwrap();
         assert_eq!(choice.chosen.unwrap().model, Model::Flat);
         assert_eq!((choice.left_out.len(), choice.not_needed.len()), (0, 10));
     }
 
     #[test]
     fn a_budget_below_the_tables_own_error_is_met_by_nothing() {
-        let choice = choose(&lens(View::default()), 1e-9, Precision::F64).unwrap();
+        let choice = choose(&lens(View::default()), None, 1e-9, Precision::F64).unwrap();
         assert_eq!(choice.chosen, None);
         assert_eq!(choice.left_out.len(), 11);
     }

@@ -4,9 +4,11 @@
 //! form, in image space. It is computed at sample pixels of the picture. If these are not all of its pixels, hill
 //! climbs start at the worst samples and end at the worst pixel nearby.
 
+use super::disc::{DiscPixel, DiscReference};
 use super::samples;
 use crate::camera::Camera;
 use crate::diff::ReferencePixel;
+use crate::disc::SeenDisc;
 use crate::lens::Lens;
 use rayon::prelude::*;
 
@@ -40,8 +42,11 @@ impl Precision {
 pub struct Prediction {
     /// In image space, pixels, including rounding.
     pub pixels: f64,
-    /// On the sky at that pixel, rad; `None` if the ray outcome differs from the closed form's.
+    /// At that pixel, rad: on the sky, or for a disc the angle by which its image is displaced. `None` if the ray outcome
+    /// differs from the closed form's.
     pub radians: Option<f64>,
+    /// Whether it is an error of the disc.
+    pub on_disc: bool,
     /// (column, row) of the pixel.
     pub worst: (u32, u32),
 }
@@ -65,20 +70,42 @@ const SAMPLES_PER_CLIMB: usize = 1024;
 pub struct Predictor<'a> {
     lens: &'a Lens,
     precision: Precision,
-    samples: Vec<ReferencePixel>,
+    disc: Option<DiscReference<'a>>,
+    samples: Vec<Sample>,
+}
+
+/// A sample pixel.
+struct Sample {
+    sky: ReferencePixel,
+    disc: Option<DiscPixel>,
+}
+
+/// What draws a picture.
+struct Drawn<'a> {
+    lens: &'a Lens,
+    /// The plane of the disc, if there is one.
+    disc: Option<SeenDisc<'a>>,
 }
 
 impl<'a> Predictor<'a> {
-    /// For the picture through `lens`, whose row must be the table's, not resampled.
-    pub fn new(lens: &'a Lens, precision: Precision) -> Self {
-        let samples = samples::pixels(&lens.camera)
-            .into_par_iter()
-            .map(|(column, row)| ReferencePixel::new(lens, column, row))
-            .collect();
-        Predictor {
+    /// For the picture of the sky and `disc` through `lens`, whose row must be the table's, not resampled.
+    pub fn new(lens: &'a Lens, disc: Option<DiscReference<'a>>, precision: Precision) -> Self {
+        let mut predictor = Predictor {
             lens,
             precision,
-            samples,
+            disc,
+            samples: Vec::new(),
+        };
+        let pixels = samples::pixels(&lens.camera).into_par_iter();
+        predictor.samples = pixels.map(|pixel| predictor.sample(pixel)).collect();
+        predictor
+    }
+
+    fn sample(&self, (column, row): (u32, u32)) -> Sample {
+        let disc = self.disc.as_ref();
+        Sample {
+            sky: ReferencePixel::new(self.lens, column, row),
+            disc: disc.and_then(|disc| disc.pixel(column, row)),
         }
     }
 
@@ -87,16 +114,23 @@ impl<'a> Predictor<'a> {
         self.samples.len()
     }
 
+    /// Number of samples that show the disc; `None` without one.
+    pub fn samples_of_disc(&self) -> Option<usize> {
+        let shows_disc = |sample: &&Sample| sample.disc.is_some();
+        let shown = self.samples.iter().filter(shows_disc).count();
+        self.disc.is_some().then_some(shown)
+    }
+
     /// Largest error of a sample by rounding alone, pixels.
     pub fn rounding_px(&self) -> f64 {
         let moved = self.samples.iter().map(|sample| self.rounding(sample));
         moved.fold(0.0, f64::max)
     }
 
-    /// Error of a pixel by rounding, pixels; 0 well inside the shadow.
-    fn rounding(&self, pixel: &ReferencePixel) -> f64 {
-        let moved = self.precision.rounding() / pixel.gradient();
-        if pixel.is_captured() && pixel.edge_distance() > moved {
+    /// Error of a pixel by rounding, pixels; 0 well inside the shadow, unless it shows the disc.
+    fn rounding(&self, Sample { sky, disc }: &Sample) -> f64 {
+        let moved = self.precision.rounding() / sky.gradient();
+        if disc.is_none() && sky.is_captured() && sky.edge_distance() > moved {
             0.0
         } else {
             moved
@@ -108,7 +142,13 @@ impl<'a> Predictor<'a> {
         let nothing = || Prediction {
             pixels: 0.0,
             radians: Some(0.0),
+            on_disc: false,
             worst: (0, 0),
+        };
+        let disc = self.disc.as_ref();
+        let drawn = &Drawn {
+            lens: drawn,
+            disc: disc.map(|disc| disc.plane_in(drawn)),
         };
         self.samples
             .par_chunks(SAMPLES_PER_CLIMB)
@@ -126,15 +166,13 @@ impl<'a> Predictor<'a> {
 
     /// Climbs from `start` to a pixel without a worse neighbour. The stride starts at the lattice spacing and is
     /// halved.
-    fn climb(&self, drawn: &Lens, start: Prediction) -> Prediction {
+    fn climb(&self, drawn: &Drawn, start: Prediction) -> Prediction {
         let mut best = start;
         let mut stride = samples::spacing(&self.lens.camera);
         while stride > 0 {
             let around = self.neighbours(best.worst, stride);
             let worst = around
-                .map(|(column, row)| {
-                    self.error(drawn, &ReferencePixel::new(self.lens, column, row))
-                })
+                .map(|pixel| self.error(drawn, &self.sample(pixel)))
                 .fold(best, Prediction::worse);
             if worst.pixels > best.pixels {
                 best = worst;
@@ -164,12 +202,24 @@ impl<'a> Predictor<'a> {
         })
     }
 
-    fn error(&self, drawn: &Lens, pixel: &ReferencePixel) -> Prediction {
-        let error = pixel.error_of(drawn);
-        Prediction {
-            pixels: error.pixels() + self.rounding(pixel),
+    fn error(&self, drawn: &Drawn, sample: &Sample) -> Prediction {
+        let (sky, rounding) = (&sample.sky, self.rounding(sample));
+        let error = sky.error_of(drawn.lens);
+        let of_sky = Prediction {
+            pixels: error.pixels() + rounding,
             radians: error.radians(),
-            worst: pixel.at(),
-        }
+            on_disc: false,
+            worst: sky.at(),
+        };
+        let (Some(pixel), Some(disc)) = (&sample.disc, &drawn.disc) else {
+            return of_sky;
+        };
+        let displaced = pixel.error_of(disc, &self.lens.camera);
+        of_sky.worse(Prediction {
+            pixels: displaced + rounding,
+            radians: Some(displaced * sky.gradient()),
+            on_disc: true,
+            worst: sky.at(),
+        })
     }
 }

@@ -1,5 +1,6 @@
 //! Options of the window, of `render`, `diff` and `catalogue`, and of point stars.
 
+use super::disc::DiscArgs;
 use super::projection::ProjectionArgs;
 use super::recorded::RecordedOptions;
 use super::scene::{MethodName, PassName, SamplingName, SceneArgs, ViewArgs};
@@ -49,6 +50,9 @@ pub struct RenderArgs {
     /// The stars in front of its sky.
     #[command(flatten)]
     pub stars: StarArgs,
+    /// The disc around the hole.
+    #[command(flatten)]
+    pub disc: DiscArgs,
     /// What an .exr records of these options; `None` if a value is not UTF-8.
     #[arg(skip)]
     pub recorded: Option<RecordedOptions>,
@@ -199,4 +203,7 @@ pub struct WindowArgs {
     /// The stars in front of its skies.
     #[command(flatten)]
     pub stars: StarArgs,
+    /// The disc around the hole at the start.
+    #[command(flatten)]
+    pub disc: DiscArgs,
 }

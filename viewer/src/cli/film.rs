@@ -1,5 +1,6 @@
 //! Options of `viewer film`.
 
+use super::disc::DiscArgs;
 use super::draw::{DrawingArgs, LayerName, StarArgs};
 use super::recorded::RecordedOptions;
 use super::scene::{DeviceName, LightArgs};
@@ -90,6 +91,9 @@ pub struct FilmArgs {
     /// The stars in front of its sky.
     #[command(flatten)]
     pub stars: StarArgs,
+    /// The disc around the hole.
+    #[command(flatten)]
+    pub disc: DiscArgs,
     /// What an .exr records of these options; `None` if a value is not UTF-8.
     #[arg(skip)]
     pub recorded: Option<RecordedOptions>,

@@ -1,5 +1,6 @@
 //! The command line.
 
+mod disc;
 mod draw;
 mod film;
 mod like;
@@ -10,6 +11,7 @@ mod recorded;
 mod scene;
 mod values;
 
+pub use disc::{DiscArgsError, shift_name};
 pub use draw::{
     CatalogueArgs, DiffArgs, DrawingArgs, LayerName, PICTURE, RenderArgs, StarArgs, WindowArgs,
 };

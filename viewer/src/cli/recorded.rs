@@ -1,10 +1,12 @@
 //! The options of `viewer render` as an .exr records them, so that the picture can be drawn again.
 
 use super::Cli;
+use super::disc::options_of;
 use super::read::RENDER;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, Command, CommandFactory};
 use lensbake_render::camera::{Projection, View};
+use lensbake_render::disc::Disc;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -98,6 +100,11 @@ impl RecordedOptions {
         let motion = ("motion", view.motion.to_string());
         let exposure = exposure.map(|stops| ("exposure", stops.to_string()));
         self.with(numbers.into_iter().chain([motion]).chain(exposure))
+    }
+
+    /// The same options, with all of this disc, whose defaults may differ in a later version.
+    pub fn with_disc(self, disc: Option<&Disc>) -> Self {
+        self.with(disc.into_iter().flat_map(options_of))
     }
 
     fn with(mut self, options: impl Iterator<Item = (&'static str, String)>) -> Self {

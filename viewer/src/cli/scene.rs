@@ -174,6 +174,16 @@ impl From<ShiftName> for Shift {
     }
 }
 
+impl From<Shift> for ShiftName {
+    fn from(shift: Shift) -> Self {
+        match shift {
+            Shift::Off => ShiftName::Off,
+            Shift::Brightness => ShiftName::Brightness,
+            Shift::Colour => ShiftName::Colour,
+        }
+    }
+}
+
 /// How a pixel samples its area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum SamplingName {
@@ -229,11 +239,7 @@ impl ViewArgs {
     pub fn view(&self, (width, height): (u32, u32), projection: Projection) -> View {
         let fov_deg = self.fov.or(disc_fov_deg(projection));
         let fov_deg = fov_deg.unwrap_or(View::default().fov_deg);
-        // The direction from the hole to the camera is opposite to the one in which the camera sees the hole.
-        let (orbit_deg, latitude_deg) = match self.hole {
-            Some((right_ascension, declination)) => (right_ascension, -declination),
-            None => (self.orbit, self.latitude),
-        };
+        let [orbit_deg, latitude_deg] = self.given_by_hole().unwrap_or([self.orbit, self.latitude]);
         View {
             radius: self.radius,
             motion: self.motion,
@@ -248,5 +254,18 @@ impl ViewArgs {
             width,
             height,
         }
+    }
+
+    /// Longitude and latitude from which --inclination is that of the line of sight, degrees: those of the camera if the
+    /// hole's place on the sky is given, else 0, so that the camera moves round a disc that stays.
+    pub fn disc_seen_from_deg(&self) -> [f64; 2] {
+        self.given_by_hole().unwrap_or_default()
+    }
+
+    /// Longitude and latitude of the camera if the hole's place on the sky is given, degrees: the direction from the hole
+    /// to the camera is opposite to the one in which the camera sees the hole.
+    fn given_by_hole(&self) -> Option<[f64; 2]> {
+        let (right_ascension, declination) = self.hole?;
+        Some([right_ascension, -declination])
     }
 }

@@ -52,6 +52,18 @@ pub fn place(text: &str) -> Result<(f64, f64), String> {
         })
 }
 
+/// Parses inner and outer radius of a disc.
+pub fn radii(text: &str) -> Result<(f64, f64), String> {
+    let parsed = text.split_once(',').and_then(|(inner, outer)| {
+        let inner = inner.trim().parse().ok()?;
+        Some((inner, outer.trim().parse().ok()?))
+    });
+    parsed.ok_or_else(|| {
+        "must be the inner and the outer radius, like 3,12; name both where a file follows"
+            .to_owned()
+    })
+}
+
 /// Parses the exposure of stars in stops.
 pub fn stops(text: &str) -> Result<f64, String> {
     let parsed = text.parse().ok().filter(|stops: &f64| stops.abs() <= 30.0);

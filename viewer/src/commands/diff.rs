@@ -37,7 +37,7 @@ pub fn run(args: &DiffArgs) -> Result<Outcome, CommandError> {
     let mut printer = Printer::new(false);
     let reference = with_progress(&lut, |progress| Reference::new(&lut, || progress.step()));
     if args.explain || args.least {
-        let choice = least::choice(&lut, args.budget_px, gpu.as_ref())?;
+        let choice = least::choice(&lut, None, args.budget_px, gpu.as_ref())?;
         if args.explain {
             least::print(&choice, &lut, step, &mut printer);
         }

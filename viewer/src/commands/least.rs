@@ -2,22 +2,29 @@
 
 use super::CommandError;
 use lensbake_program::{Printer, message};
+use lensbake_render::disc::Disc;
 use lensbake_render::gpu::Gpu;
 use lensbake_render::lens::Lens;
 use lensbake_render::model::{Choice, Precision, choose, explain};
 use std::time::Instant;
 
-/// Chooses the least model for `lens` at the precision of the GPU (f32), or of the CPU (f64) without one.
-pub fn choice(lens: &Lens, budget_px: f64, gpu: Option<&Gpu>) -> Result<Choice, CommandError> {
+/// Chooses the least model for the sky and `disc` through `lens` at the precision of the GPU (f32), or of the CPU (f64) without one.
+pub fn choice(
+    lens: &Lens,
+    disc: Option<Disc>,
+    budget_px: f64,
+    gpu: Option<&Gpu>,
+) -> Result<Choice, CommandError> {
     let precision = match gpu {
         Some(_) => Precision::F32,
         None => Precision::F64,
     };
     let started = Instant::now();
-    let choice = choose(lens, budget_px, precision).map_err(|problem| CommandError::Lens {
-        name: "the least model".into(),
-        problem,
-    })?;
+    let choice =
+        choose(lens, disc, budget_px, precision).map_err(|problem| CommandError::Lens {
+            name: "the least model".into(),
+            problem,
+        })?;
     let ms = 1e3 * started.elapsed().as_secs_f64();
     message!("least model chosen in {ms:.1} ms");
     Ok(choice)

@@ -2,11 +2,12 @@
 
 use super::CommandError;
 use crate::cli::{
-    ATTRIBUTE, DrawingArgs, LightArgs, MethodName, PROGRAM, RecordedOptions, StarArgs,
+    ATTRIBUTE, DrawingArgs, LightArgs, MethodName, PROGRAM, RecordedOptions, StarArgs, shift_name,
 };
 use lensbake_core::Motion;
 use lensbake_program::message;
 use lensbake_render::camera::{Projection, View};
+use lensbake_render::disc::Disc;
 use lensbake_render::lens::Lens;
 use lensbake_render::openexr::{Metadata, Value};
 use lensbake_render::sky::SkySource;
@@ -47,6 +48,8 @@ pub struct Described<'a> {
     pub drawing: &'a DrawingArgs,
     /// The stars.
     pub stars: &'a StarArgs,
+    /// The disc around the hole, if there is one.
+    pub disc: Option<&'a Disc>,
     /// The error budget of the least model, if it is drawn with that.
     pub budget_px: Option<f64>,
     /// The options to record, if they can be.
@@ -81,8 +84,9 @@ pub fn of(
             .map(|error| ("lensbake.tableError", Value::Real(error))),
     );
     attributes.extend(stars(of).map(|stars| ("lensbake.stars", Value::Text(stars))));
+    attributes.extend(of.disc.map(|d| ("lensbake.disc", Value::Text(disc(d)))));
     if let Some(recorded) = of.recorded {
-        let recorded = recorded.clone().with_frame(view);
+        let recorded = recorded.clone().with_frame(view).with_disc(of.disc);
         let json = serde_json::to_string(&recorded).map_err(CommandError::Json)?;
         attributes.push((ATTRIBUTE, Value::Text(json)));
     }
@@ -167,4 +171,22 @@ fn stars(of: &Described) -> Option<String> {
         StarSource::Hipparcos => Some("hipparcos".to_owned()),
         StarSource::File(path) => Some(path.display().to_string()),
     }
+}
+
+/// Size, orientation and light of the disc.
+fn disc(disc: &Disc) -> String {
+    let angles = &disc.orientation;
+    let [orbit, latitude] = angles.seen_from_deg;
+    format!(
+        "r = {} to {} Schwarzschild radii, inclination {}° and node {}° from orbit {orbit}°, latitude {latitude}°, \
+         opacity {}, {} K and brightness {} where it is hottest, frequency shift {}",
+        disc.inner,
+        disc.outer,
+        angles.inclination_deg,
+        angles.node_deg,
+        disc.opacity,
+        disc.peak_kelvin,
+        disc.brightness,
+        shift_name(disc)
+    )
 }

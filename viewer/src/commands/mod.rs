@@ -12,7 +12,9 @@ pub mod reference;
 pub mod render;
 pub mod window;
 
-use crate::cli::{DeviceName, DrawingArgs, LightArgs, PassName, SamplingName, StarArgs};
+use crate::cli::{
+    DeviceName, DiscArgsError, DrawingArgs, LightArgs, PassName, SamplingName, StarArgs,
+};
 use clap::ValueEnum;
 use lensbake_core::CoreError;
 use lensbake_film::PathFileError;
@@ -43,6 +45,9 @@ pub enum CommandError {
     /// The view is not a valid camera.
     #[error("{}: {_0}", flag_of(_0))]
     Camera(#[from] CameraError),
+    /// There can be no such disc.
+    #[error(transparent)]
+    Disc(#[from] DiscArgsError),
     /// A table file cannot be read.
     #[error(transparent)]
     Container(#[from] ContainerError),

@@ -9,6 +9,7 @@ use crate::cli::{DeviceName, Exposure, LayerName, RenderArgs};
 use lensbake_program::output::Output;
 use lensbake_program::{Outcome, Printer, Progress, message};
 use lensbake_render::camera::{Camera, View};
+use lensbake_render::disc::Disc;
 use lensbake_render::filter::FilteredPixels;
 use lensbake_render::gpu::{GpuError, Renderer};
 use lensbake_render::layers::{self, Channel};
@@ -31,6 +32,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     least::check_budget(budget_px)?;
     check_device(&args.drawing, args.scene.device == DeviceName::Cpu)?;
     let jobs = jobs(args, method)?;
+    let disc = args.disc.disc(args.scene.view.disc_seen_from_deg())?;
     let light = &args.scene.view.light;
     let sky = sky::load(&light.sky)?;
     let stars = star_field(&args.stars, &light.sky)?;
@@ -49,7 +51,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     let (rendition, exposure) = exposed(args, &jobs);
     for mut job in jobs {
         if args.explain || args.budget_px.is_some() {
-            let choice = least::choice(&job.lens, budget_px, gpu.as_ref())?;
+            let choice = least::choice(&job.lens, disc, budget_px, gpu.as_ref())?;
             if args.explain {
                 least::print(&choice, &job.lens, light.step, &mut printer);
             }
@@ -66,7 +68,7 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
             sky: sky.clone(),
             stars: stars.clone(),
             rendition,
-            disc: None,
+            disc,
         };
         if !picture(args, renderer.as_ref(), &scene, &job, exposure)? {
             outcome = Outcome::Missed;
@@ -127,7 +129,8 @@ fn picture(
         PictureFormat::Png => picture.encode(file.format, exposure)?,
         PictureFormat::OpenExr => {
             let layers = layers(&args.aov, scene);
-            let metadata = metadata::of(&described(args), view, table, &device)?;
+            let metadata =
+                metadata::of(&described(args, scene.disc.as_ref()), view, table, &device)?;
             openexr::encode(&picture, layers, &metadata)?
         }
     };
@@ -186,11 +189,12 @@ impl PictureFile {
 }
 
 /// What the arguments say of the picture apart from its camera.
-fn described(args: &RenderArgs) -> Described<'_> {
+fn described<'a>(args: &'a RenderArgs, disc: Option<&'a Disc>) -> Described<'a> {
     Described {
         light: &args.scene.view.light,
         drawing: &args.drawing,
         stars: &args.stars,
+        disc,
         budget_px: args.budget_px,
         recorded: args.recorded.as_ref(),
     }

@@ -16,6 +16,7 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
     let view = args.view.view(args.size, Projection::Perspective);
     // Checked here so that the error names the flag; the window knows no flags.
     Camera::new(&view)?;
+    let disc = args.disc.disc(args.view.disc_seen_from_deg())?;
     let step = args.view.light.step;
     Deflection::check_step(step).map_err(|problem| CommandError::Lens {
         name: "--step".into(),
@@ -33,6 +34,7 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
         sky: args.view.light.sky.clone(),
         stars,
         stars_everywhere: args.stars.stars.is_some(),
+        disc,
         path: path.map(|(path, _)| path),
         table: table.into_owned(),
         table_name,
@@ -72,5 +74,6 @@ fn instead(args: &WindowArgs) -> RenderArgs {
             view: args.view.clone(),
         },
         stars: args.stars.clone(),
+        disc: args.disc.clone(),
     }
 }

@@ -7,6 +7,7 @@ use lensbake_film::FlightPath;
 use lensbake_interactive::settings::Settings;
 use lensbake_interactive::state::{NamedTable, Refusal, State};
 use lensbake_render::camera::{Camera, View};
+use lensbake_render::disc::Disc;
 use lensbake_render::gpu::{Gpu, Pass};
 use lensbake_render::shift::Shift;
 use lensbake_render::sky::{self, SkySource};
@@ -32,6 +33,8 @@ pub struct Options {
     pub stars: StarField,
     /// Whether the stars are drawn in front of every sky, not only of the sky `stars`.
     pub stars_everywhere: bool,
+    /// The disc around the hole, if there is one.
+    pub disc: Option<Disc>,
     /// A path of the camera, which plays at once.
     pub path: Option<FlightPath>,
     /// The bending table.

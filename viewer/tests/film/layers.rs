@@ -8,12 +8,25 @@ fn a_frame_has_layers_and_can_be_drawn_again_from_itself() {
     let folder = folder();
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let frames = file("%d.exr");
-    for (path, projection) in [
+    for (path, options) in [
         (
             "fall",
-            &["--projection", "dome", "--tilt", "20", "--size", "48x48"][..],
+            &[
+                "--projection",
+                "dome",
+                "--tilt",
+                "20",
+                "--size",
+                "48x48",
+                "--stars",
+                "hipparcos",
+            ][..],
         ),
-        ("flyby", &["--size", "64x36"]),
+        ("flyby", &["--size", "64x36", "--stars", "hipparcos"]),
+        (
+            "orbit",
+            &["--size", "64x36", "--disc", "3,9", "--disc-opacity", "0.6"],
+        ),
     ] {
         let film = [
             "film",
@@ -28,8 +41,6 @@ fn a_frame_has_layers_and_can_be_drawn_again_from_itself() {
             "cpu",
             "-s",
             "grid",
-            "--stars",
-            "hipparcos",
             "--shift",
             "colour",
             "--aov",
@@ -37,7 +48,7 @@ fn a_frame_has_layers_and_can_be_drawn_again_from_itself() {
             "-o",
             &frames,
         ];
-        VIEWER.run(&[&film, projection].concat()).succeeds();
+        VIEWER.run(&[&film, options].concat()).succeeds();
         let again = file("again.exr");
         VIEWER
             .run(&["render", "--like", &file("7.exr"), "-o", &again])

@@ -98,6 +98,15 @@ fn a_frame_depends_on_its_number_alone() {
 }
 
 #[test]
+fn a_frame_with_a_disc_depends_on_its_number_alone() {
+    falls_apart(
+        &[&SMALL[..], &["--disc", "3,7", "--disc-opacity", "0.8"]].concat(),
+        60,
+        2,
+    );
+}
+
+#[test]
 #[cfg_attr(feature = "no-gpu", ignore)]
 fn a_frame_of_a_gpu_depends_on_its_number_alone() {
     let gpu = ["--device", "gpu", "--size", "64x36", "-s", "grid"];

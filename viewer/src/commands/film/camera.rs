@@ -6,6 +6,7 @@ use super::plan::Plan;
 use crate::cli::Exposure;
 use lensbake_film::Shot;
 use lensbake_render::camera::{Camera, CubeFace, Projection, View};
+use lensbake_render::disc::Disc;
 use lensbake_render::gpu::{GpuError, Renderer};
 use lensbake_render::lens::{Deflection, Lens};
 use lensbake_render::picture::Picture;
@@ -30,6 +31,7 @@ pub(super) struct FilmCamera<'a> {
     /// Whether the frames keep all light, so that exposure does not change them.
     pub(super) keeps_light: bool,
     pub(super) sky: Arc<Sky>,
+    pub(super) disc: Option<Disc>,
     /// The GPU's renderer; the CPU draws without one.
     pub(super) renderer: Option<Renderer>,
 }
@@ -111,7 +113,7 @@ impl FilmCamera<'_> {
             sky: self.sky.clone(),
             stars: None,
             rendition,
-            disc: None,
+            disc: self.disc,
         };
         match &self.renderer {
             Some(renderer) => block_on(renderer.picture(&scene, |_| ())),

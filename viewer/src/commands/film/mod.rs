@@ -31,6 +31,8 @@ pub fn run(args: &FilmArgs) -> Result<Outcome, CommandError> {
     projection
         .check(args.fov.is_some())
         .map_err(CommandError::Projection)?;
+    // The camera flies round a disc that stays.
+    let disc = args.disc.disc([0.0; 2])?;
     if let Some(file) = &args.save_path {
         let output = Output::new(file)?;
         spare_inputs(&output, args)?;
@@ -65,6 +67,7 @@ pub fn run(args: &FilmArgs) -> Result<Outcome, CommandError> {
         exposure: args.drawing.exposure,
         keeps_light: film.target.keeps_light(),
         sky: sky.clone(),
+        disc,
         renderer: renderer.clone(),
     });
     let takes: Vec<(FilmCamera, &Film)> = cameras.zip(&films).collect();

@@ -31,6 +31,7 @@ impl Slate<'_> {
             light: &args.light,
             drawing: &args.drawing,
             stars: &args.stars,
+            disc: camera.disc.as_ref(),
             budget_px: None,
             recorded: recorded.as_ref(),
         };
