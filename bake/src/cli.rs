@@ -2,6 +2,7 @@
 
 use ::bake::export::{Language, Mode, Precision};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use lensbake_core::thin_disc::check_radii;
 use lensbake_core::{Motion, Observer};
 use std::path::PathBuf;
 
@@ -41,13 +42,19 @@ pub enum Command {
     /// at rest and reads a table from a file, which is written beside it. The comment at its top says what it takes and
     /// returns, and how large its error is.
     Export(ExportArgs),
-    /// Read lines `R THETA_DEG [AZIMUTH_DEG]` or `inf B` from standard input; for each, print the bending in radians
-    /// or `captured`.
+    /// Read lines `R THETA_DEG [AZIMUTH_DEG]` or `inf B [AZIMUTH_DEG]` from standard input; for each, print the bending in
+    /// radians or `captured`.
     ///
     /// R is the observer's radius, THETA_DEG the view angle from the direction of the hole in degrees, in the
-    /// observer's own frame, AZIMUTH_DEG the azimuth about that direction from the direction of motion (0 if there is
-    /// none), and B the impact parameter of a ray from infinity. Lengths are in units of the Schwarzschild radius. The
-    /// bending is THETA minus the angle on the sky. Each answer is printed without waiting for the next line.
+    /// observer's own frame, AZIMUTH_DEG the azimuth about that direction from the direction of motion (0 if it is not
+    /// given), counter-clockwise as the observer sees it, and B the impact parameter of a ray from infinity. Lengths are in
+    /// units of the Schwarzschild radius. The bending is THETA minus the angle on the sky. Each answer is printed without
+    /// waiting for the next line.
+    ///
+    /// With --disc, print where the ray crosses a thin disc instead: `RADIUS ORDER SHIFT` for each crossing, all on one
+    /// line, in the order in which the ray traced from the observer meets them, or `-` if it does not meet the disc. The
+    /// order is the number of half turns about the hole before the crossing: 0 in the direct image, 1 in the second. The
+    /// shift is the frequency at the observer over that at which the matter emits. There are two crossings at most.
     Query(QueryArgs),
     /// Compare a table, between its nodes, with the direct integrator and with the closed form.
     Diff(DiffArgs),
@@ -202,9 +209,38 @@ pub struct QueryArgs {
     /// reduced to 0 to pi, and the azimuth, in radians, and the frequency shift, observed over emitted.
     #[arg(long)]
     pub sky: bool,
+    /// Print the crossings with a disc of these radii instead of the bending: from 3, the innermost stable orbit, to 1e6.
+    /// Its matter is on circular orbits, counter-clockwise as seen from its axis.
+    #[arg(
+        long,
+        value_name = "R_IN,R_OUT",
+        num_args = 0..=1,
+        default_missing_value = "3,12",
+        value_parser = radii,
+        conflicts_with = "sky"
+    )]
+    pub disc: Option<Radii>,
+    /// Angle of the disc's axis from the line from the hole to the observer, degrees: 0 shows the disc face-on, 90 edge-on.
+    #[arg(long, value_name = "DEG", default_value_t = 80.0, value_parser = angle,
+          allow_negative_numbers = true, requires = "disc")]
+    pub inclination: f64,
+    /// Azimuth of the line of nodes, about which the disc is inclined, degrees. The axis is then at the azimuth
+    /// NODE + 90: at 0 the near side of the disc is at the azimuth -90 and moves towards the azimuth 0.
+    #[arg(long, value_name = "DEG", default_value_t = 0.0, value_parser = angle,
+          allow_negative_numbers = true, requires = "disc")]
+    pub node: f64,
     /// Error tolerance of RK4, in rad per radian of orbital angle, from 1e-13 to 1e-2.
     #[arg(long, value_name = "RAD", default_value_t = 1e-12, value_parser = tolerance)]
     pub tolerance: f64,
+}
+
+/// The radii of a disc, units of the Schwarzschild radius.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Radii {
+    /// Inner radius.
+    pub inner: f64,
+    /// Outer radius.
+    pub outer: f64,
 }
 
 /// Options of `bake diff`.
@@ -337,6 +373,30 @@ fn tolerance(text: &str) -> Result<f64, String> {
         Ok(value)
     } else {
         Err("must be from 1e-13 to 1e-2".to_owned())
+    }
+}
+
+fn radii(text: &str) -> Result<Radii, String> {
+    let (inner, outer) = text
+        .split_once(',')
+        .ok_or("must be two radii, such as 3,12")?;
+    let [inner, outer] = [inner, outer].map(|word| {
+        let radius = number(word.trim());
+        radius.map_err(|problem| format!("'{word}' {problem}"))
+    });
+    let radii = Radii {
+        inner: inner?,
+        outer: outer?,
+    };
+    check_radii(radii.inner, radii.outer).map_err(|problem| problem.to_string())?;
+    Ok(radii)
+}
+
+fn angle(text: &str) -> Result<f64, String> {
+    let degrees = number(text)?;
+    match degrees.is_finite() {
+        true => Ok(degrees),
+        false => Err("must be a finite number of degrees".to_owned()),
     }
 }
 

@@ -11,6 +11,7 @@ pub mod stability;
 
 use ::bake::export::ExportError;
 use ::bake::query::QuestionError;
+use lensbake_core::thin_disc::ThinDiscError;
 use lensbake_core::{CoreError, Motion};
 use lensbake_program::PrintError;
 use lensbake_program::output::{Output, OutputError, OutputFolder};
@@ -47,6 +48,9 @@ pub enum CommandError {
         /// What is wrong.
         problem: CoreError,
     },
+    /// The disc of a query is none.
+    #[error("--disc: {0}")]
+    Disc(ThinDiscError),
     /// A line of standard input is not a question.
     #[error("standard input, line {line}: {problem}")]
     Line {
