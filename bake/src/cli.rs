@@ -62,7 +62,8 @@ pub enum Command {
     ///
     /// Writes chart.csv, and chart-px and chart-rad as SVG and PNG. Exit code 1 if a method beats the default row:
     /// its largest error is smaller, it is faster by more than the noise of the run, and it needs no more bytes
-    /// per frame.
+    /// per frame. With --disc, charts the ways to find where a ray crosses a disc instead, and writes crossings.csv, and
+    /// crossings as SVG and PNG.
     Chart(ChartArgs),
     /// Try every method in every regime: at the shadow's edge, at the horizon and below, in fast motion, with no ray
     /// at all.
@@ -305,6 +306,9 @@ pub struct ChartArgs {
     /// Use few rays and short timings: takes seconds, only checks that the command works.
     #[arg(long)]
     pub quick: bool,
+    /// Chart the methods that find the radius at which a ray crosses a disc.
+    #[arg(long)]
+    pub disc: bool,
     /// Seed of the random rays.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,

@@ -179,8 +179,14 @@ fn aberration_moves_the_image_and_keeps_the_radius() {
 /// The azimuth and the node turn together, and without an azimuth it is 0.
 #[test]
 fn only_the_azimuth_from_the_node_counts() {
-    let first = crossings(&["--disc", "--node", "30"], "10 30 -60\n10 20 -60\ninf 5 30");
-    let turned = crossings(&["--disc", "--node=-15"], "10 30 -105\n10 20 -105\ninf 5 -15");
+    let first = crossings(
+        &["--disc", "--node", "30"],
+        "10 30 -60\n10 20 -60\ninf 5 30",
+    );
+    let turned = crossings(
+        &["--disc", "--node=-15"],
+        "10 30 -105\n10 20 -105\ninf 5 -15",
+    );
     for (first, turned) in first.iter().flatten().zip(turned.iter().flatten()) {
         assert!((first.radius - turned.radius).abs() < 1e-12);
         assert!((first.shift - turned.shift).abs() < 1e-12);

@@ -17,7 +17,7 @@
 //! phase ψ, which is φ_∞ − φ on the way out, and φ + ψ_o on the way in, with ψ_o the phase of the observer.
 
 use crate::accretion::emitted_frequency;
-use crate::{Ray, ThinDisc, orbit};
+use crate::{Observer, Ray, ShadowCoordinate, ThinDisc, exact, orbit};
 use std::f64::consts::PI;
 
 /// What the crossings of a ray depend on.
@@ -47,6 +47,44 @@ pub struct Crossing {
     pub order: u32,
     /// ν_obs/ν_em: the frequency at the observer over that at which the matter of the disc emits.
     pub shift: f64,
+}
+
+impl TracedRay {
+    /// The ray that `observer` sees at the normalised shadow coordinate `at` and at `azimuth` (rad), with its orbital
+    /// angles in closed form, for the crossings with `disc`.
+    ///
+    /// ```
+    /// use lensbake_core::ThinDisc;
+    /// use lensbake_core::disc_crossing::TracedRay;
+    /// use lensbake_core::{Observer, ShadowCoordinate};
+    ///
+    /// // From far away the side of the innermost stable orbit, r = 3, is seen at the impact parameter 3.466.
+    /// let disc = ThinDisc::new(3.0, 12.0, 80.0, 0.0).unwrap();
+    /// let at = ShadowCoordinate::from_b(3.466_075);
+    /// let ray = TracedRay::in_closed_form(&disc, &Observer::at_infinity(), at, 0.0);
+    /// let image = disc.crossings(&ray).next().unwrap();
+    /// assert!((image.radius - 3.0).abs() < 1e-5 && image.order == 0);
+    /// ```
+    pub fn in_closed_form(
+        disc: &ThinDisc,
+        observer: &Observer,
+        at: ShadowCoordinate,
+        azimuth: f64,
+    ) -> Self {
+        let ray = observer.ray_at(at);
+        let phi = |ray: &Ray| exact::phi_infinity(ray).escaped();
+        let phase = |observer: &Observer| match observer.is_at_infinity() {
+            true => Some(0.0),
+            false => phi(&observer.ray_at(observer.opposite(at))),
+        };
+        TracedRay {
+            inv_b: ray.inv_b,
+            azimuth,
+            phi_infinity: phi(&ray),
+            observer_phase: ray.enters(disc).then(|| phase(observer)).flatten(),
+            shift: observer.frequency_shift(ray.theta),
+        }
+    }
 }
 
 impl Ray {

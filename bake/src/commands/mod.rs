@@ -3,6 +3,7 @@
 pub mod bake;
 pub mod chart;
 pub mod convert;
+pub mod crossing_chart;
 pub mod diff;
 pub mod export;
 pub mod inspect;

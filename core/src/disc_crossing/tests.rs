@@ -1,31 +1,17 @@
 use super::*;
 use crate::rk4::{Event, Stepper, march};
-use crate::{Observer, ShadowCoordinate, exact};
 use proptest::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 
-/// The traced ray that `observer`, at rest, sees at `at` and `azimuth`, in closed form.
+/// The ray that `observer` sees at `at` and `azimuth`.
 fn traced(
     disc: &ThinDisc,
     observer: &Observer,
     at: ShadowCoordinate,
     azimuth: f64,
 ) -> (Ray, TracedRay) {
-    let ray = observer.ray_at(at);
-    let phi = |ray: &Ray| exact::phi_infinity(ray).escaped();
-    let opposite = || observer.ray_at(observer.opposite(at));
-    let observer_phase = ray.enters(disc).then(|| match observer.is_at_infinity() {
-        true => 0.0,
-        false => phi(&opposite()).unwrap(),
-    });
-    let traced = TracedRay {
-        inv_b: ray.inv_b,
-        azimuth,
-        phi_infinity: phi(&ray),
-        observer_phase,
-        shift: 1.0 / observer.redshifts()[1],
-    };
-    (ray, traced)
+    let traced = TracedRay::in_closed_form(disc, observer, at, azimuth);
+    (observer.ray_at(at), traced)
 }
 
 /// The crossings of the ray from infinity with the impact parameter `b`.
