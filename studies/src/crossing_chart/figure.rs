@@ -19,13 +19,13 @@ const FRAME: PixelBox = PixelBox {
     right: 1560,
     bottom: 1000,
 };
+/// In a part of the plane where no method is.
 const LEGEND: PixelBox = PixelBox {
-    left: FRAME.left + 16,
-    top: FRAME.bottom - 24 - 34 * (Kind::ALL.len() as i32 + 3),
-    right: FRAME.left + 480,
-    bottom: FRAME.bottom - 16,
+    left: FRAME.right - 480,
+    top: FRAME.bottom - 150 - 34 * (Kind::ALL.len() as i32 + 3),
+    right: FRAME.right - 16,
+    bottom: FRAME.bottom - 140,
 };
-
 /// Distance between the points of a line that labels should not hide, pixels.
 const DENSITY: i32 = 14;
 
@@ -70,8 +70,8 @@ impl Figure for CrossingFigure<'_> {
         draw_title(area, self.0.entries.len())?;
         let plane = Plane {
             frame: FRAME,
-            cost: LogAxis::new(1.0..=1e3, Ticks::Times),
-            error: LogAxis::new(1e-10..=1e2, Ticks::Decades(2)),
+            cost: LogAxis::new(1.0..=2e3, Ticks::Times),
+            error: LogAxis::new(1e-10..=1e4, Ticks::Decades(2)),
         };
         plane.draw(
             area,
@@ -80,14 +80,11 @@ impl Figure for CrossingFigure<'_> {
         )?;
         let points: Vec<_> = self.0.entries.iter().map(point).collect();
         plane.draw_front(area, &points, front_style())?;
-        draw_level(area, &plane, 0.1, "0.1 pixel: less is not seen")?;
-        let rounding = self.0.rounding.pixels.max;
-        draw_level(
-            area,
-            &plane,
-            rounding,
-            "what rounding 1/b and ψ to f32 does",
-        )?;
+        let mut labels = Labels::new(FRAME, self.obstacles(&plane));
+        labels.keep_free(LEGEND);
+        for (error, name) in self.levels() {
+            labels.keep_free(draw_level(area, &plane, error, name)?);
+        }
         let at = |entry: &MeasuredCrossing| plane.at(point(entry).0, point(entry).1);
         self.draw_curves(area, at)?;
         for entry in self.0.entries.iter().rev() {
@@ -105,14 +102,25 @@ impl Figure for CrossingFigure<'_> {
 }
 
 impl CrossingFigure<'_> {
-    /// What labels should not hide: the marks, and points along the lines between them.
+    /// Errors that have a line of their own, and its name.
+    fn levels(&self) -> [(f64, &'static str); 2] {
+        [
+            (0.1, "0.1 pixel: less is not seen"),
+            (self.0.rounding.pixels.max, "inputs rounded to f32"),
+        ]
+    }
+
+    /// What labels should not hide: the marks, and points along the lines.
     fn obstacles(&self, plane: &Plane) -> Vec<(i32, i32)> {
         let at = |entry: &MeasuredCrossing| plane.at(point(entry).0, point(entry).1);
         let between = |((x, y), (to_x, to_y)): ((i32, i32), (i32, i32))| {
             let parts = 1 + (to_x - x).abs().max((to_y - y).abs()) / DENSITY;
             (0..parts).map(move |i| (x + (to_x - x) * i / parts, y + (to_y - y) * i / parts))
         };
-        let lines = self.curves().map(|(from, to)| (at(from), at(to)));
+        let levels = self.levels().map(|(error, _)| plane.at(1.0, error).1);
+        let levels = levels.map(|y| ((FRAME.left, y), (FRAME.right, y)));
+        let curves = self.curves().map(|(from, to)| (at(from), at(to)));
+        let lines = curves.chain(levels);
         let marks = self.0.entries.iter().map(at);
         lines.flat_map(between).chain(marks).collect()
     }
@@ -187,7 +195,9 @@ fn figure_label(entry: &MeasuredCrossing) -> Option<String> {
         kind, name, knobs, ..
     } = &entry.info;
     let ends: &[&str] = match (kind, entry.bits) {
-        (Kind::Weierstrass | Kind::Jacobi, _) => &[""],
+        (Kind::Weierstrass, 32) => &["0", "1"],
+        (Kind::Weierstrass, _) => &["0", "1", "3"],
+        (Kind::Jacobi, _) => &[""],
         (Kind::Table, _) => &["64 × 32", "512 × 256"],
         (Kind::Integrated, 32) => &["4 ", "16 ", "32 ", "128 "],
         (Kind::Integrated, _) => &["32 "],
@@ -258,7 +268,7 @@ where
     Ok(())
 }
 
-/// The legend, in the lower left corner of the plane.
+/// The legend.
 fn draw_legend<DB: DrawingBackend>(area: &Area<DB>) -> Result<(), Box<dyn Error>>
 where
     DB::ErrorType: 'static,

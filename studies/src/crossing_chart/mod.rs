@@ -81,22 +81,8 @@ pub fn measure(workload: &Workload, step: impl Fn() + Sync) -> Option<CrossingCh
         .collect();
     step();
     let times = times(&methods, &samples, workload, &step);
-    let measured = |(method, time): (&Box<dyn CrossingMethod>, Time)| {
-        let errors: Vec<Vec<Error>> = samples.iter().map(|s| errors(method.as_ref(), s)).collect();
-        Some(MeasuredCrossing {
-            info: method.info(),
-            label: label(method.as_ref()),
-            bits: method.bits(),
-            bytes: method.bytes(),
-            time,
-            by_observer: errors
-                .iter()
-                .filter_map(|e| CrossingErrors::of(e))
-                .collect(),
-            errors: CrossingErrors::of(&errors.concat())?,
-        })
-    };
-    let entries = methods.iter().zip(times).map(measured);
+    let pairs = methods.iter().zip(times);
+    let entries = pairs.map(|(method, time)| measured(method.as_ref(), time, &samples));
     let rounding: Vec<Error> = samples
         .iter()
         .flatten()
@@ -105,6 +91,26 @@ pub fn measure(workload: &Workload, step: impl Fn() + Sync) -> Option<CrossingCh
     Some(CrossingChart {
         entries: entries.collect::<Option<_>>()?,
         rounding: CrossingErrors::of(&rounding)?,
+    })
+}
+
+fn measured(
+    method: &dyn CrossingMethod,
+    time: Time,
+    samples: &[Vec<Sample>],
+) -> Option<MeasuredCrossing> {
+    let errors: Vec<Vec<Error>> = samples.iter().map(|s| errors(method, s)).collect();
+    Some(MeasuredCrossing {
+        info: method.info(),
+        label: label(method),
+        bits: method.bits(),
+        bytes: method.bytes(),
+        time,
+        by_observer: errors
+            .iter()
+            .filter_map(|e| CrossingErrors::of(e))
+            .collect(),
+        errors: CrossingErrors::of(&errors.concat())?,
     })
 }
 
