@@ -1,5 +1,6 @@
 //! The figure: error in image space against time per crossing, log–log, with the Pareto front.
 
+use super::marks::{colour, draw_legend, draw_mark, front_style, legend_box};
 use super::{CrossingChart, MeasuredCrossing};
 use crate::crossing_methods::{CrossingInfo, Kind};
 use crate::figure::drawing::{Area, Figure, Ink, text};
@@ -20,41 +21,13 @@ const FRAME: PixelBox = PixelBox {
     bottom: 1000,
 };
 /// In a part of the plane where no method is.
-const LEGEND: PixelBox = PixelBox {
-    left: FRAME.right - 480,
-    top: FRAME.bottom - 150 - 34 * (Kind::ALL.len() as i32 + 3),
-    right: FRAME.right - 16,
-    bottom: FRAME.bottom - 140,
-};
+const LEGEND: PixelBox = legend_box((FRAME.right - 16, FRAME.bottom - 140));
 /// Distance between the points of a line that labels should not hide, pixels.
 const DENSITY: i32 = 14;
 
 /// The error that is drawn: the largest, in pixels.
 fn point(entry: &MeasuredCrossing) -> (f64, f64) {
     (entry.time.ns, entry.errors.pixels.max)
-}
-
-fn colour(kind: Kind) -> RGBColor {
-    match kind {
-        Kind::Weierstrass => RGBColor(207, 34, 46),
-        Kind::Jacobi => RGBColor(26, 127, 55),
-        Kind::Table => RGBColor(188, 76, 0),
-        Kind::Integrated => RGBColor(9, 105, 218),
-    }
-}
-
-fn legend(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Weierstrass => "closed form in Weierstrass' function",
-        Kind::Jacobi => "closed form in Jacobi's sn and cn",
-        Kind::Table => "tables, 32 × 16 to 512 × 256 texels",
-        Kind::Integrated => "integrations from infinity",
-    }
-}
-
-/// The line of the Pareto front.
-fn front_style() -> ShapeStyle {
-    Ink::DARK.mix(0.55).stroke_width(3)
 }
 
 impl Figure for CrossingFigure<'_> {
@@ -96,7 +69,7 @@ impl Figure for CrossingFigure<'_> {
                 at(entry),
             )?;
         }
-        draw_legend(area)?;
+        draw_legend(area, LEGEND)?;
         self.draw_labels(area, at, &mut labels)
     }
 }
@@ -245,59 +218,6 @@ where
         right: FRAME.left + width as i32 + 16,
         bottom: y + 2,
     })
-}
-
-/// A mark: filled for f32, a ring for f64, larger for what is used.
-fn draw_mark<DB: DrawingBackend>(
-    area: &Area<DB>,
-    kind: Kind,
-    used: bool,
-    bits: usize,
-    at: (i32, i32),
-) -> Result<(), Box<dyn Error>>
-where
-    DB::ErrorType: 'static,
-{
-    let radius = if used { 13 } else { 8 };
-    area.draw(&Circle::new(at, radius + 2, WHITE.filled()))?;
-    let style = match bits {
-        32 => colour(kind).filled(),
-        _ => colour(kind).stroke_width(4),
-    };
-    area.draw(&Circle::new(at, radius, style))?;
-    Ok(())
-}
-
-/// The legend.
-fn draw_legend<DB: DrawingBackend>(area: &Area<DB>) -> Result<(), Box<dyn Error>>
-where
-    DB::ErrorType: 'static,
-{
-    let corners = [(LEGEND.left, LEGEND.top), (LEGEND.right, LEGEND.bottom)];
-    area.draw(&Rectangle::new(corners, WHITE.filled()))?;
-    area.draw(&Rectangle::new(corners, Ink::PALE.stroke_width(2)))?;
-    let style = text(22).pos(Pos::new(HPos::Left, VPos::Center));
-    let place = |row: i32| (LEGEND.left + 34, LEGEND.top + 26 + 34 * row);
-    let name = |row: i32, name: &'static str| {
-        let (x, y) = place(row);
-        Text::new(name, (x + 32, y), style.clone())
-    };
-    for (row, kind) in (0..).zip(Kind::ALL) {
-        draw_mark(area, kind, false, 32, place(row))?;
-        area.draw(&name(row, legend(kind)))?;
-    }
-    let rows = Kind::ALL.len() as i32;
-    draw_mark(area, Kind::Weierstrass, true, 32, place(rows))?;
-    area.draw(&name(rows, "large: used by this project"))?;
-    draw_mark(area, Kind::Weierstrass, false, 64, place(rows + 1))?;
-    area.draw(&name(rows + 1, "ring: in f64; filled: in f32"))?;
-    let (x, y) = place(rows + 2);
-    area.draw(&PathElement::new(
-        vec![(x - 20, y), (x + 20, y)],
-        front_style(),
-    ))?;
-    area.draw(&name(rows + 2, "Pareto front: beaten by none in both"))?;
-    Ok(())
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 
 pub mod csv;
 pub mod figure;
+mod marks;
 pub mod rays;
 
 use crate::crossing_methods::{CrossingInfo, CrossingMethod, Questions, label, registry};

@@ -25,7 +25,7 @@ pub enum Reading {
 /// Greatest phase and σ of [`Axes::Ratio`]: a ray that turns round at r = 3 has 2.27 and 0.62.
 const RATIO_ENDS: [f64; 2] = [2.4, 0.65];
 /// Steps of the integration to a texel of [`Axes::Ratio`].
-const STEPS: u32 = 400;
+const STEPS: u32 = 64;
 /// Steps of the integration from texel to texel of [`Axes::Bruneton`].
 const STEPS_BETWEEN: u32 = 32;
 
