@@ -217,7 +217,7 @@ pub struct QueryArgs {
     #[arg(long)]
     pub sky: bool,
     /// Print the crossings with a disc of these radii instead of the bending: from 3, the innermost stable orbit, to 1e6.
-    /// Its matter is on circular orbits, counter-clockwise as seen from its axis.
+    /// Its matter is on circular orbits, counter-clockwise as seen from its axis [without a value: 3,12].
     #[arg(
         long,
         value_name = "R_IN,R_OUT",
