@@ -1,9 +1,16 @@
 //! The command line.
 
+mod values;
+
+pub use values::Radii;
+
 use ::bake::export::{Language, Mode, Precision};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use lensbake_core::{Motion, Observer};
 use std::path::PathBuf;
+use values::{
+    angle, field_of_view, finite_radius, function_name, observer, positive, radii, tolerance,
+};
 
 /// Bake the bending of light (deflection angle) by a black hole into a table, and check it.
 ///
@@ -41,13 +48,19 @@ pub enum Command {
     /// at rest and reads a table from a file, which is written beside it. The comment at its top says what it takes and
     /// returns, and how large its error is.
     Export(ExportArgs),
-    /// Read lines `R THETA_DEG [AZIMUTH_DEG]` or `inf B` from standard input; for each, print the bending in radians
-    /// or `captured`.
+    /// Read lines `R THETA_DEG [AZIMUTH_DEG]` or `inf B [AZIMUTH_DEG]` from standard input; for each, print the bending in
+    /// radians or `captured`.
     ///
     /// R is the observer's radius, THETA_DEG the view angle from the direction of the hole in degrees, in the
-    /// observer's own frame, AZIMUTH_DEG the azimuth about that direction from the direction of motion (0 if there is
-    /// none), and B the impact parameter of a ray from infinity. Lengths are in units of the Schwarzschild radius. The
-    /// bending is THETA minus the angle on the sky. Each answer is printed without waiting for the next line.
+    /// observer's own frame, AZIMUTH_DEG the azimuth about that direction from the direction of motion (0 if it is not
+    /// given), counter-clockwise as the observer sees it, and B the impact parameter of a ray from infinity. Lengths are in
+    /// units of the Schwarzschild radius. The bending is THETA minus the angle on the sky. Each answer is printed without
+    /// waiting for the next line.
+    ///
+    /// With --disc, print where the ray crosses a thin disc instead: `RADIUS ORDER SHIFT` for each crossing, all on one
+    /// line, in the order in which the ray traced from the observer meets them, or `-` if it does not meet the disc. The
+    /// order is the number of half turns about the hole before the crossing: 0 in the direct image, 1 in the second. The
+    /// shift is the frequency at the observer over that at which the matter emits. There are two crossings at most.
     Query(QueryArgs),
     /// Compare a table, between its nodes, with the direct integrator and with the closed form.
     Diff(DiffArgs),
@@ -55,7 +68,8 @@ pub enum Command {
     ///
     /// Writes chart.csv, and chart-px and chart-rad as SVG and PNG. Exit code 1 if a method beats the default row:
     /// its largest error is smaller, it is faster by more than the noise of the run, and it needs no more bytes
-    /// per frame.
+    /// per frame. With --disc, charts the ways to find where a ray crosses a disc instead, and writes crossings.csv, and
+    /// crossings as SVG and PNG.
     Chart(ChartArgs),
     /// Try every method in every regime: at the shadow's edge, at the horizon and below, in fast motion, with no ray
     /// at all.
@@ -202,6 +216,26 @@ pub struct QueryArgs {
     /// reduced to 0 to pi, and the azimuth, in radians, and the frequency shift, observed over emitted.
     #[arg(long)]
     pub sky: bool,
+    /// Print the crossings with a disc of these radii instead of the bending: from 3, the innermost stable orbit, to 1e6.
+    /// Its matter is on circular orbits, counter-clockwise as seen from its axis [without a value: 3,12].
+    #[arg(
+        long,
+        value_name = "R_IN,R_OUT",
+        num_args = 0..=1,
+        default_missing_value = "3,12",
+        value_parser = radii,
+        conflicts_with = "sky"
+    )]
+    pub disc: Option<Radii>,
+    /// Angle of the disc's axis from the line from the hole to the observer, degrees: 0 shows the disc face-on, 90 edge-on.
+    #[arg(long, value_name = "DEG", default_value_t = 80.0, value_parser = angle,
+          allow_negative_numbers = true, requires = "disc")]
+    pub inclination: f64,
+    /// Azimuth of the line of nodes, about which the disc is inclined, degrees. The axis is then at the azimuth
+    /// NODE + 90: at 0 the near side of the disc is at the azimuth -90 and moves towards the azimuth 0.
+    #[arg(long, value_name = "DEG", default_value_t = 0.0, value_parser = angle,
+          allow_negative_numbers = true, requires = "disc")]
+    pub node: f64,
     /// Error tolerance of RK4, in rad per radian of orbital angle, from 1e-13 to 1e-2.
     #[arg(long, value_name = "RAD", default_value_t = 1e-12, value_parser = tolerance)]
     pub tolerance: f64,
@@ -269,6 +303,9 @@ pub struct ChartArgs {
     /// Use few rays and short timings: takes seconds, only checks that the command works.
     #[arg(long)]
     pub quick: bool,
+    /// Chart the methods that find the radius at which a ray crosses a disc.
+    #[arg(long)]
+    pub disc: bool,
     /// Seed of the random rays.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
@@ -280,71 +317,4 @@ pub struct StabilityArgs {
     /// Directory to write to.
     #[arg(short, long, value_name = "DIR", default_value = "stability")]
     pub output: PathBuf,
-}
-
-fn observer(text: &str) -> Result<Observer, String> {
-    if text == "far" {
-        return Ok(Observer::at_infinity());
-    }
-    let r: f64 = text
-        .parse()
-        .map_err(|_| "must be `far` or a radius in units of r_s".to_owned())?;
-    match r > 1.0 {
-        true => Observer::at(r),
-        false => Observer::falling(r).map(|observer| observer.in_row_frame()),
-    }
-    .map_err(|e| e.to_string())
-}
-
-fn finite_radius(text: &str) -> Result<f64, String> {
-    let radius = number(text)?;
-    match radius.is_infinite() {
-        true => {
-            Err("to an observer at infinity the hole is a point: give a large radius".to_owned())
-        }
-        false => Ok(radius),
-    }
-}
-
-fn function_name(text: &str) -> Result<String, String> {
-    let is_word = text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
-    let starts_well = text.starts_with(|c: char| c.is_ascii_alphabetic());
-    // GLSL reserves names with two underscores and names that begin with gl_.
-    let is_free = !text.contains("__") && !text.starts_with("gl_") && !text.ends_with('_');
-    if is_word && starts_well && is_free && text.len() <= 64 {
-        Ok(text.to_owned())
-    } else {
-        Err("must be a name of at most 64 letters, digits and single underscores that begins with a letter".to_owned())
-    }
-}
-
-fn number(text: &str) -> Result<f64, String> {
-    text.parse().map_err(|_| "is not a number".to_owned())
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    let value = number(text)?;
-    if value > 0.0 && value.is_finite() {
-        Ok(value)
-    } else {
-        Err("must be a positive number".to_owned())
-    }
-}
-
-fn tolerance(text: &str) -> Result<f64, String> {
-    let value = number(text)?;
-    if (1e-13..=1e-2).contains(&value) {
-        Ok(value)
-    } else {
-        Err("must be from 1e-13 to 1e-2".to_owned())
-    }
-}
-
-fn field_of_view(text: &str) -> Result<f64, String> {
-    let value = number(text)?;
-    if value > 0.0 && value < 180.0 {
-        Ok(value)
-    } else {
-        Err("must be between 0 and 180 degrees".to_owned())
-    }
 }

@@ -21,6 +21,7 @@ fn main() -> ExitCode {
         Some(Command::Export(args)) => commands::export::run(&args),
         Some(Command::Query(args)) => commands::query::run(&args),
         Some(Command::Diff(args)) => commands::diff::run(&args),
+        Some(Command::Chart(args)) if args.disc => commands::crossing_chart::run(&args),
         Some(Command::Chart(args)) => commands::chart::run(&args),
         Some(Command::Stability(args)) => commands::stability::run(&args),
     };

@@ -1,5 +1,7 @@
 //! Questions about single rays, as lines of text, and their answers.
 
+mod crossings;
+
 use lensbake_core::rk4::Stepper;
 use lensbake_core::{
     CoreError, Motion, MovingFrame, Ray, RayOutcome, ShadowCoordinate, direct, exact,
@@ -54,7 +56,7 @@ pub enum QuestionError {
     #[error("it is longer than {MAX_LINE} bytes")]
     TooLong,
     /// The line does not have two or three words.
-    #[error("'{0}' is not `R THETA_DEG [AZIMUTH_DEG]` or `inf B`")]
+    #[error("'{0}' is not `R THETA_DEG [AZIMUTH_DEG]` or `inf B [AZIMUTH_DEG]`")]
     Form(String),
     /// A word is not a number.
     #[error("'{0}' is not a number")]
@@ -72,8 +74,8 @@ pub enum QuestionError {
 
 impl Question {
     /// Parses a line `R THETA_DEG [AZIMUTH_DEG]` (the radius in units of r_s, the view angle from the direction of the
-    /// hole, and the azimuth about it from the direction of motion, in degrees) or `inf B` (the impact parameter in
-    /// units of r_s), for an observer in this motion. `None` for a blank line and for a comment, which begins with `#`.
+    /// hole, and the azimuth about it from the direction of motion, in degrees) or `inf B [AZIMUTH_DEG]` (the impact
+    /// parameter in units of r_s), for an observer in this motion. `None` for a blank line and for a comment, which begins with `#`.
     ///
     /// # Errors
     /// [`QuestionError`] says in one short line what is wrong.
@@ -208,6 +210,8 @@ fn number(word: &str) -> Result<f64, QuestionError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use lensbake_core::ThinDisc;
+    use lensbake_core::thin_disc::MAX_OUTER;
     use lensbake_tables::default_atlas;
 
     #[test]
@@ -295,6 +299,7 @@ mod tests {
         let pairs = special
             .iter()
             .flat_map(|&r| special.map(|second| (r, second)));
+        let disc = ThinDisc::new(3.0, MAX_OUTER, 80.0, 0.0).unwrap();
         let mut answered = 0;
         for (r, second) in pairs.chain(random) {
             for motion in MOTIONS {
@@ -309,7 +314,15 @@ mod tests {
                     QueryMethod::Rk4(1e-9),
                     QueryMethod::Exact,
                 ] {
-                    let sky = Answers::new(method).answer(&question).unwrap().escaped();
+                    let mut answers = Answers::new(method);
+                    for crossing in answers.crossings(&question, &disc).unwrap() {
+                        let said = [crossing.radius, crossing.shift];
+                        assert!(
+                            said.iter().all(|x| x.is_finite() && *x > 0.0),
+                            "{motion:?} {r:e} {second:e} {method:?}: {crossing:?}"
+                        );
+                    }
+                    let sky = answers.answer(&question).unwrap().escaped();
                     if let Some(SkyPoint {
                         theta,
                         azimuth,

@@ -37,6 +37,24 @@ fn a_quick_chart_is_written_whole() {
 }
 
 #[test]
+fn a_quick_chart_of_crossings_is_written_whole() {
+    let directory = tempfile::tempdir().unwrap();
+    let output = bake(&["chart", "--disc", "--quick"], directory.path());
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let csv = fs::read_to_string(directory.path().join("crossings.csv")).unwrap();
+    let recorded = include_str!("../../docs/disc/crossings.csv");
+    assert_eq!(csv.lines().count(), recorded.lines().count());
+    assert_eq!(csv.lines().next(), recorded.lines().next());
+    let stem = directory.path().join("crossings");
+    let svg = fs::read_to_string(stem.with_extension("svg")).unwrap();
+    assert!(svg.contains("1 duplication"));
+    assert!(fs::read(stem.with_extension("png")).unwrap().len() > 10_000);
+    assert_eq!(fs::read_dir(directory.path()).unwrap().count(), 3);
+    let summary = String::from_utf8(output.stdout).unwrap();
+    assert!(summary.contains("used:"), "{summary}");
+}
+
+#[test]
 fn the_atlas_of_stability_is_the_recorded_size_and_the_product_passes() {
     let directory = tempfile::tempdir().unwrap();
     let output = bake(&["stability"], directory.path());
@@ -58,8 +76,8 @@ fn the_atlas_of_stability_is_the_recorded_size_and_the_product_passes() {
 #[test]
 fn a_directory_that_cannot_be_made_is_one_clear_line() {
     let file = tempfile::NamedTempFile::new().unwrap();
-    for command in ["chart", "stability"] {
-        let output = bake(&[command], &file.path().join("below"));
+    for command in [&["chart"][..], &["chart", "--disc"], &["stability"]] {
+        let output = bake(command, &file.path().join("below"));
         assert_eq!(output.status.code(), Some(2));
         let message = String::from_utf8(output.stderr).unwrap();
         assert_eq!(message.lines().count(), 1, "{message}");

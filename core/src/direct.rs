@@ -41,7 +41,16 @@ pub struct BendAndSlope {
 pub fn bend(ray: &Ray, stepper: Stepper) -> RayOutcome {
     match ray.path() {
         Path::Radial => RayOutcome::Escapes(0.0),
-        _ => arms::<3>(ray, stepper).map(|arms| ray.bend_from_phi(arms.phi_infinity())),
+        _ => phi_infinity(ray, stepper).map(|phi| ray.bend_from_phi(phi)),
+    }
+}
+
+/// φ_∞, the orbital angle of `ray` between the observer and infinity, in rad, by RK4. Accuracy and failure are as for
+/// [`bend`].
+pub fn phi_infinity(ray: &Ray, stepper: Stepper) -> RayOutcome {
+    match ray.path() {
+        Path::Radial => RayOutcome::Escapes(std::f64::consts::PI - ray.theta),
+        _ => arms::<3>(ray, stepper).map(|arms| arms.phi_infinity()),
     }
 }
 

@@ -18,16 +18,24 @@ use crate::{Path, Ray, RayOutcome};
 /// assert!((bend.to_degrees() * 3600.0 - 1.751).abs() < 1e-3);
 /// ```
 pub fn bend(ray: &Ray) -> RayOutcome {
-    let phi_infinity = match ray.path() {
+    match ray.path() {
+        Path::Radial => RayOutcome::Escapes(0.0),
+        _ => phi_infinity(ray).map(|phi| ray.bend_from_phi(phi)),
+    }
+}
+
+/// φ_∞, the orbital angle of `ray` between the observer and infinity, rad, as accurate as [`bend`]. The error of a small
+/// angle, near straight away from the hole, is as small relative to it.
+pub fn phi_infinity(ray: &Ray) -> RayOutcome {
+    RayOutcome::Escapes(match ray.path() {
         Path::Captured => return RayOutcome::Captured,
-        Path::Radial => return RayOutcome::Escapes(0.0),
+        Path::Radial => std::f64::consts::PI - ray.theta,
         Path::ViaPeriapsis => {
             let to_infinity = phi_from_apsis(ray, 0.0, ray.u_apsis());
             to_infinity + phi_from_apsis(ray, ray.u, depth_below_apsis(ray))
         }
         Path::OverPhotonSphere | Path::Outward => phi_outward(ray),
-    };
-    RayOutcome::Escapes(ray.bend_from_phi(phi_infinity))
+    })
 }
 
 /// u_a − u at the observer, from (du/dφ)² = (u − u₁)(u₂ − u)(u₃ − u) instead of by subtraction.

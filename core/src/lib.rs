@@ -19,7 +19,8 @@
 //! The first two take a [`Ray`], which an [`Observer`] creates: at rest, or in any radial motion, above or below the
 //! horizon. A [`MovingFrame`] is the frame of an observer in any motion; it adds the aberration of the view direction and
 //! the frequency shift. [`orbit`] has the orbit of a ray by its phase, [`accretion`] the light and the frequency of
-//! matter in a thin disc. [`geodesic`] has the free fall and the circular orbit by proper time.
+//! matter in a thin disc, [`thin_disc`] its place, and [`disc_crossing`] where a ray crosses it. [`geodesic`] has
+//! the free fall and the circular orbit by proper time.
 //!
 //! ```
 //! use lensbake_core::rk4::Stepper;
@@ -46,6 +47,7 @@
 pub mod accretion;
 mod boost;
 pub mod direct;
+pub mod disc_crossing;
 mod error;
 pub mod exact;
 pub mod geodesic;
@@ -57,6 +59,7 @@ mod ray;
 mod ray_outcome;
 pub mod rk4;
 pub mod series;
+pub mod thin_disc;
 
 pub use boost::Boost;
 pub use direct::BendAndSlope;
@@ -66,6 +69,7 @@ pub use moving_frame::{MovingFrame, UnboostedDirection};
 pub use observer::{Observer, ShadowCoordinate};
 pub use ray::{Path, Ray};
 pub use ray_outcome::RayOutcome;
+pub use thin_disc::ThinDisc;
 
 /// Critical impact parameter b_c = 3√3/2, in units of r_s: a ray from infinity with smaller b is captured.
 pub const B_CRIT: f64 = 2.598_076_211_353_316;

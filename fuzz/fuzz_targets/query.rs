@@ -4,7 +4,7 @@
 #![no_main]
 
 use bake::query::{Answers, QueryMethod, Question};
-use lensbake_core::{Motion, RayOutcome};
+use lensbake_core::{Motion, RayOutcome, ThinDisc};
 use lensbake_fuzz::one_line;
 use lensbake_tables::default_atlas;
 use libfuzzer_sys::fuzz_target;
@@ -28,6 +28,10 @@ fuzz_target!(|line: &[u8]| {
     }
 });
 
+fn disc() -> ThinDisc {
+    ThinDisc::new(3.0, 12.0, 80.0, 0.0).expect("the default disc is one")
+}
+
 fn ask(line: &[u8], motion: Motion) {
     let question = match Question::parse(line, motion) {
         Ok(Some(question)) => question,
@@ -40,7 +44,15 @@ fn ask(line: &[u8], motion: Motion) {
         QueryMethod::Rk4(TOLERANCE),
     ];
     for method in methods {
-        match Answers::new(method).answer(&question) {
+        let mut answers = Answers::new(method);
+        for crossing in answers.crossings(&question, &disc()).into_iter().flatten() {
+            let numbers = [crossing.radius, crossing.shift];
+            assert!(
+                numbers.iter().all(|number| number.is_finite()),
+                "{question:?} by {method:?}: {crossing:?}"
+            )
+        }
+        match answers.answer(&question) {
             Ok(RayOutcome::Escapes(sky)) => {
                 let numbers = [sky.theta, sky.azimuth, sky.shift, sky.bend];
                 assert!(

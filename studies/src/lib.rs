@@ -4,7 +4,8 @@
 //!
 //! Studies of single rays (feature `methods`): [`methods`] holds every method that computes a deflection angle
 //! (bending), [`method_chart`] charts their time against their error, and [`stability`] tests them where methods
-//! fail.
+//! fail. [`crossing_methods`] holds every method that computes where a ray crosses a disc, and [`crossing_chart`] charts
+//! them.
 //!
 //! Studies of pictures (feature `render`): [`gpu_chart`] charts time against error on a GPU, [`mod@bench`] measures
 //! frame rates, [`reference`](mod@reference) compares pictures with supersampled ones, [`flicker`] follows stars
@@ -12,6 +13,10 @@
 
 #[cfg(feature = "render")]
 pub mod bench;
+#[cfg(feature = "methods")]
+pub mod crossing_chart;
+#[cfg(feature = "methods")]
+pub mod crossing_methods;
 pub mod figure;
 #[cfg(feature = "render")]
 pub mod flicker;
@@ -30,3 +35,5 @@ pub mod reference;
 #[cfg(feature = "methods")]
 pub mod stability;
 pub mod table_error;
+#[cfg(feature = "methods")]
+pub mod timing;

@@ -3,6 +3,7 @@
 pub mod bake;
 pub mod chart;
 pub mod convert;
+pub mod crossing_chart;
 pub mod diff;
 pub mod export;
 pub mod inspect;
@@ -11,6 +12,7 @@ pub mod stability;
 
 use ::bake::export::ExportError;
 use ::bake::query::QuestionError;
+use lensbake_core::thin_disc::ThinDiscError;
 use lensbake_core::{CoreError, Motion};
 use lensbake_program::PrintError;
 use lensbake_program::output::{Output, OutputError, OutputFolder};
@@ -47,6 +49,9 @@ pub enum CommandError {
         /// What is wrong.
         problem: CoreError,
     },
+    /// The disc of a query is none.
+    #[error("--disc: {0}")]
+    Disc(ThinDiscError),
     /// A line of standard input is not a question.
     #[error("standard input, line {line}: {problem}")]
     Line {

@@ -42,6 +42,16 @@ impl Observer {
         Ok(self.ray_with(self.shadow_coordinate(theta), theta))
     }
 
+    /// The normalised shadow coordinate of the ray that leaves in the opposite direction along the same path: it has the
+    /// same b, and du/dφ of the other sign. As x itself it does not depend on the radial motion.
+    pub fn opposite(&self, at: ShadowCoordinate) -> ShadowCoordinate {
+        let x = self.one_minus_cos_shadow / (self.one_plus_cos_shadow * at.x);
+        ShadowCoordinate {
+            x,
+            one_minus_x: 1.0 - x,
+        }
+    }
+
     /// The ray at the normalised shadow coordinate `at`. It keeps full accuracy however close it is to the shadow
     /// boundary.
     pub fn ray_at(&self, at: ShadowCoordinate) -> Ray {

@@ -18,8 +18,11 @@ pub use seen::{Hit, SeenDisc};
 use crate::shift::Shift;
 use glam::{DMat3, DVec3};
 use lensbake_core::accretion::INNERMOST_STABLE;
+use lensbake_core::thin_disc::{self, ThinDiscError};
 use std::ops::RangeInclusive;
 use thiserror::Error;
+
+pub use lensbake_core::thin_disc::MAX_OUTER;
 
 /// A disc as a user gives it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,50 +80,17 @@ impl Orientation {
     pub fn axis(&self) -> DVec3 {
         let [orbit, latitude] = self.seen_from_deg.map(f64::to_radians);
         let sky_from_hole = DMat3::from_rotation_y(orbit) * DMat3::from_rotation_x(-latitude);
-        let (sin, cos) = exact_sin_cos(self.inclination_deg);
-        let (sin_node, cos_node) = exact_sin_cos(self.node_deg);
-        sky_from_hole * DVec3::new(-sin * sin_node, sin * cos_node, cos)
-    }
-}
-
-/// Sine and cosine of an angle in degrees, exact at multiples of 90°: a disc seen edge-on is.
-fn exact_sin_cos(degrees: f64) -> (f64, f64) {
-    let quarters = (degrees / 90.0).round();
-    let (sin, cos) = (degrees - 90.0 * quarters).to_radians().sin_cos();
-    match quarters.rem_euclid(4.0) {
-        0.0 => (sin, cos),
-        1.0 => (cos, -sin),
-        2.0 => (-sin, -cos),
-        _ => (-cos, sin),
+        let seen = thin_disc::axis(self.inclination_deg, self.node_deg);
+        sky_from_hole * DVec3::from_array(seen)
     }
 }
 
 /// What is wrong with a disc.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum DiscError {
-    /// The inner radius is inside the innermost stable orbit.
-    #[error(
-        "the inner radius {0} is below {INNERMOST_STABLE}, where the innermost stable circular orbit is"
-    )]
-    Inner(f64),
-    /// The outer radius is not beyond the inner one, or too large.
-    #[error(
-        "the outer radius {outer} is not above the inner radius {inner} and at most {MAX_OUTER:e}"
-    )]
-    Outer {
-        /// The given inner radius.
-        inner: f64,
-        /// The given outer radius.
-        outer: f64,
-    },
-    /// An angle is not finite.
-    #[error("{what} {degrees} is not an angle in degrees")]
-    Angle {
-        /// Name of the angle.
-        what: &'static str,
-        /// The given value, degrees.
-        degrees: f64,
-    },
+    /// Its radii or its angles.
+    #[error(transparent)]
+    Place(#[from] ThinDiscError),
     /// A number is out of range.
     #[error("{what} {value} is not from {least} to {most}")]
     OutOfRange {
@@ -135,9 +105,6 @@ pub enum DiscError {
     },
 }
 
-/// Largest outer radius of a disc, units of r_s.
-pub const MAX_OUTER: f64 = 1e6;
-
 impl Disc {
     /// Valid opacities.
     pub const OPACITIES: RangeInclusive<f64> = 0.0..=1.0;
@@ -151,22 +118,13 @@ impl Disc {
     /// # Errors
     /// [`DiscError`] names the first that is out of range.
     pub fn check(&self) -> Result<(), DiscError> {
-        let (inner, outer) = (self.inner, self.outer);
-        if inner.is_nan() || inner < INNERMOST_STABLE {
-            return Err(DiscError::Inner(inner));
-        }
-        if outer.is_nan() || outer <= inner || outer > MAX_OUTER {
-            return Err(DiscError::Outer { inner, outer });
-        }
-        let angles = &self.orientation;
-        for (what, degrees) in [
-            ("inclination", angles.inclination_deg),
-            ("node", angles.node_deg),
-        ] {
-            if !degrees.is_finite() {
-                return Err(DiscError::Angle { what, degrees });
-            }
-        }
+        let Orientation {
+            inclination_deg,
+            node_deg,
+            ..
+        } = self.orientation;
+        thin_disc::check_radii(self.inner, self.outer)?;
+        thin_disc::check_angles(inclination_deg, node_deg)?;
         for (what, value, range) in [
             ("opacity", self.opacity, Self::OPACITIES),
             ("temperature", self.peak_kelvin, Self::KELVINS),

@@ -5,14 +5,16 @@ pub mod figure;
 mod marks;
 pub mod rays;
 pub mod rivals;
-mod timing;
 
 use crate::methods::registry::{self, Methods};
-use crate::methods::{BendingMethod, MethodInfo, MethodOutcome};
+use crate::methods::{BendingMethod, InitialConditions, MethodInfo, MethodOutcome};
+use crate::timing::{self, Rounds};
 use lensbake_tables::TableError;
 use lensbake_tables::statistics::ErrorStatistics;
 use rayon::prelude::*;
 use rays::{ChartObserver, Ray};
+use std::hint::black_box;
+use std::time::Duration;
 
 /// How much to measure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -113,7 +115,15 @@ fn section(
         .take(workload.timed_rays)
         .map(|r| r.initial)
         .collect();
-    let times = timing::interleaved(methods, &initial_conditions, workload, step);
+    let batches: Vec<_> = methods
+        .iter()
+        .map(|method| batch(method.as_ref(), &initial_conditions))
+        .collect();
+    let rounds = Rounds {
+        count: workload.rounds,
+        least: Duration::from_micros(workload.batch_us.into()),
+    };
+    let times = timing::interleaved(&batches, initial_conditions.len(), rounds, step);
     let entries = methods
         .iter()
         .zip(&answers)
@@ -133,4 +143,14 @@ fn section(
         })
         .collect();
     Section { observer, entries }
+}
+
+/// The work that is timed.
+fn batch<'a>(
+    method: &'a dyn BendingMethod,
+    initial_conditions: &'a [InitialConditions],
+) -> Box<dyn Fn() + 'a> {
+    Box::new(|| {
+        black_box(method.bend_sum(black_box(initial_conditions)));
+    })
 }
