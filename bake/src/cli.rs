@@ -64,6 +64,12 @@ pub enum Command {
     /// code 1 if one of this project's own methods is wrong (below the horizon, the table by more than it promises),
     /// or answers an input that is not a ray instead of refusing it.
     Stability(StabilityArgs),
+    /// Draw a thin disc as an observer far away sees it, by curves of constant radius, redshift and flux: Luminet's
+    /// picture of 1979.
+    ///
+    /// Writes luminet.csv, and luminet as SVG and PNG, and prints the brightest point and what the paper states in
+    /// numbers beside ours.
+    Luminet(LuminetArgs),
 }
 
 /// What to bake.
@@ -280,6 +286,30 @@ pub struct StabilityArgs {
     /// Directory to write to.
     #[arg(short, long, value_name = "DIR", default_value = "stability")]
     pub output: PathBuf,
+}
+
+/// Options of `bake luminet`.
+#[derive(Debug, Args)]
+pub struct LuminetArgs {
+    /// Directory to write to.
+    #[arg(short, long, value_name = "DIR", default_value = "disc")]
+    pub output: PathBuf,
+    /// Angle of the disc's axis from the line of sight, from 1 to 89.
+    #[arg(
+        long,
+        value_name = "DEG",
+        default_value_t = 80.0,
+        allow_negative_numbers = true,
+        value_parser = inclination
+    )]
+    pub inclination: f64,
+}
+
+fn inclination(text: &str) -> Result<f64, String> {
+    let degrees = text.parse().ok();
+    degrees
+        .filter(|degrees| (1.0..=89.0).contains(degrees))
+        .ok_or_else(|| "must be an angle in degrees from 1 to 89".to_owned())
 }
 
 fn observer(text: &str) -> Result<Observer, String> {

@@ -23,6 +23,7 @@ fn main() -> ExitCode {
         Some(Command::Diff(args)) => commands::diff::run(&args),
         Some(Command::Chart(args)) => commands::chart::run(&args),
         Some(Command::Stability(args)) => commands::stability::run(&args),
+        Some(Command::Luminet(args)) => commands::luminet::run(&args),
     };
     Outcome::end(PROGRAM, outcome)
 }

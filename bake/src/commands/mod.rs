@@ -6,6 +6,7 @@ pub mod convert;
 pub mod diff;
 pub mod export;
 pub mod inspect;
+pub mod luminet;
 pub mod query;
 pub mod stability;
 
