@@ -44,6 +44,7 @@ fn line(comparison: &Comparison) -> String {
         what,
         published,
         computed,
+        quoted_by,
     } = comparison;
-    format!("{what}: published {published}, here {computed:.5}\n")
+    format!("{what}: published {published} ({quoted_by}), here {computed:.5}\n")
 }

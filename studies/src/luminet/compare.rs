@@ -1,4 +1,4 @@
-//! What Luminet's paper states in numbers, beside what is computed here.
+//! What Luminet's paper states in numbers, as others quote it, beside what is computed here.
 
 use super::M_PER_RADIUS;
 use lensbake_core::{B_CRIT, Ray, accretion, exact};
@@ -12,30 +12,40 @@ pub struct Comparison {
     pub published: f64,
     /// As computed here.
     pub computed: f64,
+    /// Who quotes the published number.
+    pub quoted_by: &'static str,
 }
+
+const TRANSCRIPT: &str = "cabenavidesg.github.io/LuminetPaper, section 2";
+const PACKAGE: &str = "the Python package luminet 0.2.3, after his equation 15";
 
 /// The published numbers that could be found, with ours.
 pub fn comparisons() -> Vec<Comparison> {
-    let comparison = |what, published, computed| Comparison {
+    let comparison = |what, published, computed, quoted_by| Comparison {
         what,
         published,
         computed,
+        quoted_by,
     };
+    let brightest = accretion::BRIGHTEST_RADIUS * M_PER_RADIUS;
     vec![
         comparison(
-            "critical impact parameter, M",
+            "critical impact parameter b_c, M",
             5.19695,
             B_CRIT * M_PER_RADIUS,
+            TRANSCRIPT,
         ),
         comparison(
-            "(b - b_c) exp(deflection) near it, M",
+            "(b - b_c) exp(deflection) near b_c, M",
             3.4823,
             strong_deflection(),
+            TRANSCRIPT,
         ),
         comparison(
             "radius where the disc emits most, M",
             9.55,
-            accretion::BRIGHTEST_RADIUS * M_PER_RADIUS,
+            brightest,
+            PACKAGE,
         ),
     ]
 }
@@ -58,6 +68,7 @@ mod tests {
             what,
             published,
             computed,
+            ..
         } in comparisons()
         {
             assert!(

@@ -1,5 +1,6 @@
 //! The figure: three panels, of radius, redshift and flux.
 
+use super::labels::{Label, Line, labels};
 use super::{Curve, Curves, Image, Kind};
 use crate::figure::PixelBox;
 use crate::figure::drawing::{Area, Figure, Ink, text};
@@ -27,6 +28,8 @@ const SCALE: f64 = 15.0;
 const SIDE: f64 = 34.0;
 const UP: f64 = 19.0;
 const DOWN: f64 = 14.0;
+/// Half of the width of the cross, pixels.
+const CROSS: i32 = 7;
 /// Radius of the shadow, M.
 const SHADOW: f64 = 5.196_152;
 
@@ -37,7 +40,7 @@ const PANELS: [(Kind, &str); 3] = [
     ),
     (
         Kind::Redshift,
-        "redshift z: blue is nearer, red farther in frequency than 0 (black)",
+        "redshift z; blue: shifted to higher frequencies, red: to lower ones",
     ),
     (
         Kind::Flux,
@@ -130,8 +133,9 @@ impl Panel {
                 self.draw_line(area, &rim.points, Ink::GREY.stroke_width(1))?;
             }
         }
-        let mut labelled = Vec::new();
-        for curve in curves.curves.iter().filter(|curve| curve.kind == self.kind) {
+        let curves_here = curves.curves.iter().filter(|curve| curve.kind == self.kind);
+        let curves_here: Vec<&Curve> = curves_here.collect();
+        for curve in &curves_here {
             let style = style(curve);
             if curve.image == Image::Secondary && self.kind == Kind::Radius {
                 self.draw_dashes(area, &curve.points, style)?;
@@ -139,17 +143,12 @@ impl Panel {
                 self.draw_line(area, &curve.points, style)?;
             }
         }
-        for curve in curves.curves.iter().filter(|curve| curve.kind == self.kind) {
-            self.draw_label(area, curve, &mut labelled)?;
-        }
+        let brightest = self.pixel(curves.brightest.place);
         if self.kind == Kind::Flux {
-            let place = self.pixel(curves.brightest.place);
-            area.draw(&Cross::new(
-                place,
-                7,
-                colour(Kind::Redshift, 1.0).stroke_width(3),
-            ))?;
+            let red = colour(Kind::Redshift, 1.0).stroke_width(3);
+            area.draw(&Cross::new(brightest, CROSS, red))?;
         }
+        self.draw_labels(area, &curves_here, brightest)?;
         self.draw_scale(area)
     }
 
@@ -179,49 +178,40 @@ impl Panel {
         Ok(area.draw(&DashedPathElement::new(pixels, 7, 5, style))?)
     }
 
-    /// Draws the value of a curve on it, where no other label is; the secondary image is too narrow for labels.
-    fn draw_label<DB: DrawingBackend>(
+    /// Draws the values of the curves on them, clear of the brightest point.
+    fn draw_labels<DB: DrawingBackend>(
         &self,
         area: &Area<DB>,
-        curve: &Curve,
-        labelled: &mut Vec<PixelBox>,
+        curves: &[&Curve],
+        (x, y): (i32, i32),
     ) -> Result<(), Box<dyn Error>>
     where
         DB::ErrorType: 'static,
     {
-        if curve.image == Image::Secondary {
-            return Ok(());
-        }
-        let label = curve.level.to_string();
-        let width = 10 * label.len() as i32 + 4;
-        let mut boxes = order(curve.points.len()).into_iter().map(|i| {
-            let (x, y) = self.pixel(curve.points[i]);
-            PixelBox {
-                left: x - width / 2,
-                top: y - 10,
-                right: x + width / 2,
-                bottom: y + 10,
-            }
+        let lines = curves.iter().map(|curve| Line {
+            curve,
+            pixels: curve
+                .points
+                .iter()
+                .map(|&point| self.pixel(point))
+                .collect(),
         });
-        let is_free = |frame: &PixelBox| {
-            frame.within(&self.frame()) && labelled.iter().all(|other| frame.overlap(other) == 0)
+        let lines: Vec<Line> = lines.collect();
+        let cross = PixelBox {
+            left: x - CROSS,
+            top: y - CROSS,
+            right: x + CROSS,
+            bottom: y + CROSS,
         };
-        let Some(frame) = boxes.find(is_free) else {
-            return Ok(());
-        };
-        let corners = [(frame.left, frame.top + 1), (frame.right, frame.bottom - 1)];
-        area.draw(&Rectangle::new(corners, WHITE.filled()))?;
-        let middle = (
-            (frame.left + frame.right) / 2,
-            (frame.top + frame.bottom) / 2 + 1,
-        );
         let centred = text(19).pos(Pos::new(HPos::Center, VPos::Center));
-        area.draw(&Text::new(
-            label,
-            middle,
-            centred.color(&colour(curve.kind, curve.level)),
-        ))?;
-        labelled.push(frame);
+        for Label { curve, text, frame } in labels(&lines, &self.frame(), vec![cross]) {
+            let corners = [(frame.left, frame.top + 1), (frame.right, frame.bottom - 1)];
+            area.draw(&Rectangle::new(corners, WHITE.filled()))?;
+            let middle = (frame.left + frame.right, frame.top + frame.bottom + 2);
+            let middle = (middle.0 / 2, middle.1 / 2);
+            let ink = colour(curve.kind, curve.level);
+            area.draw(&Text::new(text, middle, centred.color(&ink)))?;
+        }
         Ok(())
     }
 
@@ -236,14 +226,6 @@ impl Panel {
         let middle = self.pixel([SIDE - 7.0, 1.3 - DOWN]);
         Ok(area.draw(&Text::new("10 M", middle, above))?)
     }
-}
-
-/// The indices of `count` points in the order in which a label is tried on them: spread widely at first.
-fn order(count: usize) -> Vec<usize> {
-    let golden = 0.618_034;
-    (0..count)
-        .map(|i| ((0.5 + golden * i as f64).fract() * count as f64) as usize)
-        .collect()
 }
 
 /// Whether the curve is a rim of the direct image.

@@ -62,7 +62,7 @@ impl FarDisc {
     }
 
     /// The angle at the hole from the observer to the point of the disc whose image lies in the direction `azimuth`:
-    /// cos γ = cos a / √(cos² a + cot² i), with a the angle from the downward direction (Luminet's equation 10).
+    /// cos γ = cos a / √(cos² a + cot² i), with a the angle from the upward direction.
     fn orbital_angle(&self, image: Image, azimuth: f64) -> f64 {
         let (sin, cos) = self.inclination.sin_cos();
         // n · (Z cos φ + e sin φ) = 0.
@@ -113,7 +113,6 @@ mod tests {
         inclination: 80.0 * PI / 180.0,
     };
 
-    /// Between the two ends of the line of nodes light is not bent out of the plane of the disc: γ = π/2 there.
     #[test]
     fn images_lie_on_the_orbit() {
         for image in [Image::Direct, Image::Secondary] {

@@ -8,6 +8,7 @@ mod contour;
 pub mod csv;
 pub mod figure;
 mod image;
+mod labels;
 
 pub use compare::{Comparison, comparisons};
 pub use image::{FarDisc, Image, Seen};
@@ -22,7 +23,7 @@ pub const M_PER_RADIUS: f64 = 2.0;
 /// The radii whose images are drawn, M. The last one is the outer rim of the disc.
 pub const RADII_M: [f64; 4] = [6.0, 10.0, 20.0, 30.0];
 /// The redshifts z whose curves are drawn.
-pub const REDSHIFTS: [f64; 11] = [-0.3, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.75, 1.0];
+pub const REDSHIFTS: [f64; 10] = [-0.2, -0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.75, 1.0];
 /// The fluxes whose curves are drawn, in units of the greatest flux that the disc emits.
 pub const FLUXES: [f64; 12] = [
     0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.6, 0.9, 1.2, 1.5, 1.8, 2.1,
@@ -34,6 +35,8 @@ const COLUMNS: usize = 241;
 const ROWS: usize = 81;
 /// Points of an isoradial curve.
 const POINTS: usize = 180;
+/// The images are about this much wider than high; points along them are the denser by it on the left and right.
+const FLATTENING: f64 = 3.0;
 
 /// What is constant along a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -112,7 +115,7 @@ pub fn curves(inclination: f64) -> Curves {
 
 /// The image of the circle of radius `level` (M).
 fn isoradial(disc: &FarDisc, image: Image, level: f64) -> Curve {
-    let azimuths = (0..=POINTS).map(|i| TAU * i as f64 / POINTS as f64);
+    let azimuths = (0..=POINTS).map(|i| azimuth(i as f64 / POINTS as f64));
     let seen = azimuths.map(|azimuth| disc.seen(image, level / M_PER_RADIUS, azimuth));
     Curve {
         kind: Kind::Radius,
@@ -120,6 +123,12 @@ fn isoradial(disc: &FarDisc, image: Image, level: f64) -> Curve {
         level,
         points: seen.map(|seen| in_m(seen.place)).collect(),
     }
+}
+
+/// The azimuth after this part of a turn from below the hole, rad.
+fn azimuth(part: f64) -> f64 {
+    let (sin, cos) = (TAU * part - FRAC_PI_2).sin_cos();
+    sin.atan2(cos * FLATTENING)
 }
 
 fn in_m(place: [f64; 2]) -> [f64; 2] {
@@ -146,9 +155,9 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// From below the hole once around, rad.
+    /// The azimuth of a column.
     fn azimuth([column, _]: [f64; 2]) -> f64 {
-        TAU * column / (COLUMNS - 1) as f64 - FRAC_PI_2
+        azimuth(column / (COLUMNS - 1) as f64)
     }
 
     /// From rim to rim, denser at the inner one, where the flux changes most.
