@@ -6,7 +6,7 @@ use lensbake_render::lens::Deflection;
 use lensbake_render::scene::Sampling;
 use std::f64::consts::PI;
 
-/// A deflection method with its sampling, its kind of pass and the camera's motion, with or without stars.
+/// A deflection method with its sampling, its kind of pass and the camera's motion, with or without stars and a disc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contender {
     /// Deflection method.
@@ -15,6 +15,8 @@ pub struct Contender {
     pub sampling: Sampling,
     /// Whether the Hipparcos stars are drawn.
     pub stars: bool,
+    /// Whether a disc is drawn, seen from 10° above its plane.
+    pub disc: bool,
     /// How the camera moves.
     pub motion: Motion,
     /// Whether it is drawn in the other kind of pass than the renderer's.
@@ -48,9 +50,17 @@ pub const FILTERED_FALL: Contender = FILTERED.in_motion(Motion::Fall);
 /// As [`LUT_ORBIT`], the mean over each pixel.
 pub const FILTERED_ORBIT: Contender = FILTERED.in_motion(Motion::Orbit);
 
+/// As [`FILTERED`], with a disc around the hole.
+pub const FILTERED_DISC: Contender = FILTERED.with_disc();
+/// The same picture by direct integration.
+pub const FINEST_DISC: Contender = Contender {
+    deflection: FINEST.deflection,
+    ..FILTERED_DISC
+};
+
 /// All contenders; direct integration in the order of its number of steps. Those that are compared with one another follow
 /// one another: star lists leave cold caches behind.
-pub const CONTENDERS: [Contender; 16] = [
+pub const CONTENDERS: [Contender; 18] = [
     FLAT,
     LUT,
     LUT_FALL,
@@ -58,6 +68,7 @@ pub const CONTENDERS: [Contender; 16] = [
     FILTERED,
     FILTERED_FALL,
     FILTERED_ORBIT,
+    FILTERED_DISC,
     ANISOTROPIC,
     LUT.in_other_pass(),
     FILTERED.in_other_pass(),
@@ -67,6 +78,7 @@ pub const CONTENDERS: [Contender; 16] = [
     plain(Deflection::Direct { step: 0.2 }),
     plain(Deflection::Direct { step: 0.1 }),
     FINEST,
+    FINEST_DISC,
 ];
 
 const fn plain(deflection: Deflection) -> Contender {
@@ -74,6 +86,7 @@ const fn plain(deflection: Deflection) -> Contender {
         deflection,
         sampling: Sampling::Single,
         stars: false,
+        disc: false,
         motion: Motion::Rest,
         other_pass: false,
     }
@@ -86,6 +99,11 @@ impl Contender {
             stars: true,
             ..self
         }
+    }
+
+    /// The same with a disc.
+    pub const fn with_disc(self) -> Self {
+        Contender { disc: true, ..self }
     }
 
     /// The same in the other kind of pass than the renderer's.
@@ -124,6 +142,7 @@ impl Contender {
             Sampling::Anisotropic => " anisotropic",
         };
         let stars = if self.stars { " with stars" } else { "" };
+        let disc = if self.disc { " with disc" } else { "" };
         let motion = match self.motion {
             Motion::Rest => String::new(),
             motion => format!(" in {motion}"),
@@ -133,6 +152,6 @@ impl Contender {
             (true, Pass::Compute) => " by compute",
             (true, Pass::Fragment) => " by fragments",
         };
-        format!("{deflection}{filtered}{stars}{motion}{pass}")
+        format!("{deflection}{filtered}{stars}{disc}{motion}{pass}")
     }
 }

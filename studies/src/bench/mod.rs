@@ -15,6 +15,7 @@ pub use measured::Measured;
 use crate::gpu_time::{FrameTime, Timer};
 use lensbake_core::Motion;
 use lensbake_render::camera::{Camera, CameraError, View};
+use lensbake_render::disc::Disc;
 use lensbake_render::gpu::{
     FrameContent, GpuError, Pass, RealtimeRenderer, Renderer, SkyOnDevice, StarsOnDevice,
 };
@@ -45,6 +46,8 @@ pub struct Workload {
     pub sizes: Vec<(u32, u32)>,
     /// Period of the radius, at each size.
     pub swing: Duration,
+    /// The radius of all frames, instead of the flight's.
+    pub radius: Option<f64>,
     /// Minimum number of rounds at each size. In a round, each contender draws one frame from the same radius.
     pub rounds: u32,
 }
@@ -124,7 +127,9 @@ pub async fn run(
                 most,
             });
         }
-        Camera::new(&view(RADII.1, Motion::Rest, (width, height)))?;
+        // The motion that asks most of the radius.
+        let radius = workload.radius.unwrap_or(RADII.1);
+        Camera::new(&view(radius, Motion::Orbit, (width, height)))?;
     }
     let errors = errors::largest(renderer, table).await?;
     let mut flight = Flight {
@@ -193,7 +198,8 @@ impl Flight<'_> {
         let started = Instant::now();
         let mut rounds = 0;
         while rounds < workload.rounds || started.elapsed() < workload.swing {
-            let radius = radius(started.elapsed().div_duration_f64(workload.swing));
+            let flown = radius(started.elapsed().div_duration_f64(workload.swing));
+            let radius = workload.radius.unwrap_or(flown);
             for (contender, frames) in CONTENDERS.into_iter().zip(&mut frames) {
                 frames.push(self.frame(contender, radius, size).await?);
             }
@@ -221,7 +227,7 @@ impl Flight<'_> {
             sky: self.sky.clone(),
             stars: contender.stars.then(|| self.stars.clone()),
             rendition: Rendition::default(),
-            disc: None,
+            disc: contender.disc.then(Disc::default),
         };
         let pass = usize::from(contender.pass(self.pass) == Pass::Fragment);
         let shape = usize::from(contender.motion == Motion::Fall);

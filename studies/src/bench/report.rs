@@ -1,8 +1,8 @@
 //! The benchmark as a table for a terminal, as CSV and as JSON.
 
 use super::contender::{
-    ANISOTROPIC, CONTENDERS, Contender, FILTERED, FILTERED_FALL, FILTERED_ORBIT, FINEST, FLAT, LUT,
-    LUT_FALL, LUT_ORBIT,
+    ANISOTROPIC, CONTENDERS, Contender, FILTERED, FILTERED_DISC, FILTERED_FALL, FILTERED_ORBIT,
+    FINEST, FINEST_DISC, FLAT, LUT, LUT_FALL, LUT_ORBIT,
 };
 use super::{Bench, MeasuredContender};
 use crate::figure::csv::quoted;
@@ -63,6 +63,8 @@ fn ratios(bench: &Bench, size: (u32, u32)) -> String {
         ratio(LUT_ORBIT, LUT),
         ratio(FILTERED_FALL, FILTERED),
         ratio(FILTERED_ORBIT, FILTERED),
+        ratio(FILTERED_DISC, FILTERED),
+        ratio(FINEST_DISC, FILTERED_DISC),
         ratio(ANISOTROPIC, FILTERED),
         ratio(LUT.in_other_pass(), LUT),
         ratio(FILTERED.in_other_pass(), FILTERED),

@@ -42,6 +42,10 @@ pub struct BenchArgs {
         allow_negative_numbers = true
     )]
     pub seconds: f64,
+    /// Radial coordinate r of the camera in all frames, in Schwarzschild radii, above 1.5 [default: a flight between 2.5 and
+    /// 37.5].
+    #[arg(short, long, value_name = "R", allow_negative_numbers = true)]
+    pub radius: Option<f64>,
     /// Least number of frames of each method at each size, however long they take.
     #[arg(long, value_name = "N", default_value_t = 15, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub rounds: u32,

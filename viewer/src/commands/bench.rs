@@ -29,6 +29,7 @@ pub fn run(args: &BenchArgs) -> Result<Outcome, CommandError> {
         sizes: args.sizes.clone().unwrap_or(SIZES.to_vec()),
         swing: Duration::from_secs_f64(args.seconds.max(1e-3)),
         rounds: args.rounds,
+        radius: args.radius,
     };
     let renderer = renderer(&block_on(Gpu::open())?, args.pass)?;
     let sky = sky::load(&SkySource::Nebula)?;
