@@ -188,3 +188,87 @@ fn black_body(kelvin: f64) -> Vec3 {
     let luminance: f64 = (0..3).map(|i| LUMINANCE[i] * light[i]).sum();
     Vec3::from_array(light.map(|channel| (channel / luminance) as f32))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lensbake_render::camera::View;
+    use lensbake_render::disc::Orientation;
+    use lensbake_render::lens::{Deflection, Lens};
+    use lensbake_render::sky::Sky;
+    use lensbake_tables::default_atlas;
+    use std::sync::Arc;
+
+    fn scene(view: View) -> Scene {
+        let camera = Camera::new(&view).unwrap();
+        let lens = Lens::new(camera, default_atlas(), Deflection::Lut).unwrap();
+        Scene::new(lens, Arc::new(Sky::from_fn(8, |direction| direction.abs())))
+    }
+
+    fn small(radius: f64) -> View {
+        View {
+            radius,
+            width: 48,
+            height: 27,
+            ..View::default()
+        }
+    }
+
+    fn inclined(inclination_deg: f64) -> Disc {
+        Disc {
+            orientation: Orientation {
+                inclination_deg,
+                ..Disc::default().orientation
+            },
+            ..Disc::default()
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_seen_leaves_the_sky() {
+        let scene = scene(small(10.0));
+        let sky = cpu::render(&scene, || ());
+        let clear = Disc {
+            opacity: 0.0,
+            ..inclined(70.0)
+        };
+        // The observer is in the plane of a disc that is seen edge-on, and no row of pixels is.
+        for disc in [clear, inclined(90.0)] {
+            let found = DiscReference::new(&scene, &disc, 1, || ());
+            let outside = found.picture.pixels().iter().zip(sky.pixels());
+            let same = |(a, b): &(&[f32; 3], &[f32; 3])| (0..3).all(|i| (a[i] - b[i]).abs() < 1e-3);
+            let same = outside.filter(same).count();
+            let hidden = if disc == clear { 0 } else { 200 };
+            assert!(same >= 48 * 27 - hidden, "{same}");
+        }
+    }
+
+    /// Face-on, every point at one radius has the same shift: that of the orbit and of the observer's place.
+    #[test]
+    fn a_disc_seen_face_on_has_the_light_of_its_radius() {
+        let scene = scene(small(1000.0));
+        let disc = inclined(0.0);
+        let rays = DiscRays::new(&scene, &disc);
+        for radius in [3.5, 4.775_464, 11.0] {
+            let shift = ((1.0 - 1.5 / radius) / (1.0 - 1e-3f64)).sqrt();
+            let light = rays.light(radius, shift);
+            let luminance = light.dot(Vec3::new(0.2126, 0.7152, 0.0722));
+            let known = accretion::flux(radius) * shift.powi(4);
+            assert!((f64::from(luminance) / known - 1.0).abs() < 1e-5);
+            let emitted = emitted_frequency(radius, 0.0);
+            assert!((1.0 / emitted / (1.0 - 1.5 / radius).sqrt() - 1.0).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn matter_that_comes_nearer_is_brighter() {
+        let scene = scene(small(25.0));
+        let found = DiscReference::new(&scene, &inclined(80.0), 2, || ());
+        let row = &found.picture.pixels()[48 * 13..48 * 14];
+        let green = |columns: std::ops::Range<usize>| -> f32 {
+            row[columns].iter().map(|light| light[1]).sum()
+        };
+        assert!(green(12..22) > 3.0 * green(26..36));
+        assert!(found.on_rim.iter().any(|on_rim| *on_rim));
+    }
+}

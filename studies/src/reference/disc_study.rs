@@ -19,8 +19,8 @@ use std::sync::Arc;
 const INCLINATIONS_DEG: [f64; 6] = [0.0, 30.0, 60.0, 80.0, 89.0, 90.0];
 /// Largest mean error on the screen that a filtered picture may have, 1/255.
 const BAR_WHOLE: f64 = 1.0;
-/// As [`BAR_WHOLE`], beside the shadow's edge and on the disc's rims.
-const BAR_BESIDE_EDGES: f64 = 4.0;
+/// As [`BAR_WHOLE`], beside the shadow's edge. The error on the disc's rims has no limit.
+const BAR_BESIDE_EDGE: f64 = 4.0;
 
 /// A view of a disc.
 #[derive(Debug, Clone, PartialEq)]
@@ -192,8 +192,8 @@ impl DiscPicture {
 
     /// Whether it is within the limits of the error, or one ray per pixel, to which they do not apply.
     fn is_good(&self) -> bool {
-        let beside = self.error.beside_edge.screen.max(self.on_rims.screen);
-        let kept = self.error.whole.screen <= BAR_WHOLE && beside <= BAR_BESIDE_EDGES;
+        let error = &self.error;
+        let kept = error.whole.screen <= BAR_WHOLE && error.beside_edge.screen <= BAR_BESIDE_EDGE;
         kept || !self.by.sampling().averages()
     }
 }
