@@ -109,7 +109,7 @@ fn bisect(mut low: f64, mut high: f64, below: impl Fn(f64) -> bool) -> f64 {
 mod tests {
     use super::*;
 
-    const EDGE_ON_BUT_TEN: FarDisc = FarDisc {
+    const INCLINED: FarDisc = FarDisc {
         inclination: 80.0 * PI / 180.0,
     };
 
@@ -118,8 +118,8 @@ mod tests {
         for image in [Image::Direct, Image::Secondary] {
             for radius in [3.0, 5.0, 15.0] {
                 for azimuth in [-1.4, -0.3, 0.0, 0.8, 1.57, 3.0] {
-                    let b = EDGE_ON_BUT_TEN.impact_parameter(image, radius, azimuth);
-                    let angle = EDGE_ON_BUT_TEN.orbital_angle(image, azimuth);
+                    let b = INCLINED.impact_parameter(image, radius, azimuth);
+                    let angle = INCLINED.orbital_angle(image, azimuth);
                     let phase = angle.min(total_angle(b) - angle);
                     let u = orbit::inverse_radius(1.0 / b, phase);
                     assert!(
@@ -131,19 +131,37 @@ mod tests {
         }
     }
 
+    /// The impact parameters that the Python package luminet 0.2.3 finds, in units of M.
+    #[test]
+    fn another_program_finds_the_images_at_the_same_places() {
+        let known = [
+            (Image::Direct, 6.0, 90.0, 6.669_365),
+            (Image::Direct, 6.0, 0.0, 6.932_148),
+            (Image::Direct, 30.0, 60.0, 15.225_941),
+            (Image::Secondary, 6.0, -90.0, 6.304_566),
+            (Image::Secondary, 10.0, -30.0, 7.058_258),
+            (Image::Secondary, 30.0, 90.0, 5.356_122),
+        ];
+        for (image, radius, azimuth, b) in known {
+            let azimuth = f64::to_radians(azimuth);
+            let found = 2.0 * INCLINED.impact_parameter(image, 0.5 * radius, azimuth);
+            assert!((found - b).abs() < 1e-4, "{image:?} {radius}: {found} {b}");
+        }
+    }
+
     #[test]
     fn far_from_the_hole_the_disc_is_an_ellipse() {
         for azimuth in [-2.0, -0.5, 0.0, 0.7, 1.5] {
-            let [x, y] = EDGE_ON_BUT_TEN.seen(Image::Direct, 1e7, azimuth).place;
-            let radius = x.hypot(y / EDGE_ON_BUT_TEN.inclination.cos());
+            let [x, y] = INCLINED.seen(Image::Direct, 1e7, azimuth).place;
+            let radius = x.hypot(y / INCLINED.inclination.cos());
             assert!((radius / 1e7 - 1.0).abs() < 1e-5, "{azimuth}: {radius}");
         }
     }
 
     #[test]
     fn what_comes_towards_the_observer_is_bluer_and_brighter() {
-        let left = EDGE_ON_BUT_TEN.seen(Image::Direct, 5.0, PI);
-        let right = EDGE_ON_BUT_TEN.seen(Image::Direct, 5.0, 0.0);
+        let left = INCLINED.seen(Image::Direct, 5.0, PI);
+        let right = INCLINED.seen(Image::Direct, 5.0, 0.0);
         assert!(left.redshift < 1.0 && right.redshift > 1.0);
         assert!(left.flux > 5.0 * right.flux);
     }
