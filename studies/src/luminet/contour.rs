@@ -122,9 +122,7 @@ fn follow(neighbours: &mut BTreeMap<Edge, Vec<Edge>>, start: Edge) -> Vec<Edge> 
     let mut at = start;
     while let Some(next) = neighbours.get_mut(&at).and_then(Vec::pop) {
         if let Some(back) = neighbours.get_mut(&next) {
-            if let Some(index) = back.iter().position(|edge| *edge == at) {
-                back.swap_remove(index);
-            }
+            back.retain(|edge| *edge != at);
         }
         line.push(next);
         at = next;
