@@ -9,7 +9,7 @@ const VIEWER: Program = Program::at(env!("CARGO_BIN_EXE_viewer"));
 fn pictures_of_a_disc_are_compared_with_their_reference() {
     let folder = tempfile::tempdir().unwrap();
     let output = folder.path().to_str().unwrap();
-    let small = ["--device", "cpu", "--size", "64x36", "--rays", "3"];
+    let small = ["--device", "cpu", "--size", "192x108", "--rays", "4"];
     let view = ["reference", "--disc", "--only", "r = 25, 60", "-o", output];
     let run = VIEWER.run(&[&view[..], &small].concat()).succeeds();
     let table = fs::read_to_string(folder.path().join("disc.csv")).unwrap();
@@ -26,5 +26,5 @@ fn pictures_of_a_disc_are_compared_with_their_reference() {
 #[test]
 fn a_view_that_does_not_exist_is_refused() {
     let run = VIEWER.run(&["reference", "--disc", "--only", "r = 7"]);
-    run.refuses("--only r = 7");
+    run.refuses(&["--only r = 7"]);
 }
