@@ -10,6 +10,7 @@ use lensbake_core::{Motion, Observer};
 use std::path::PathBuf;
 use values::{
     angle, field_of_view, finite_radius, function_name, observer, positive, radii, tolerance,
+    visible_inclination,
 };
 
 /// Bake the bending of light (deflection angle) by a black hole into a table, and check it.
@@ -78,6 +79,12 @@ pub enum Command {
     /// code 1 if one of this project's own methods is wrong (below the horizon, the table by more than it promises),
     /// or answers an input that is not a ray instead of refusing it.
     Stability(StabilityArgs),
+    /// Draw a thin disc as an observer far away sees it, by curves of constant radius, redshift and flux: Luminet's
+    /// picture of 1979.
+    ///
+    /// Writes luminet.csv, and luminet as SVG and PNG, and prints the brightest point and what the paper states in
+    /// numbers beside ours.
+    Luminet(LuminetArgs),
 }
 
 /// What to bake.
@@ -317,4 +324,21 @@ pub struct StabilityArgs {
     /// Directory to write to.
     #[arg(short, long, value_name = "DIR", default_value = "stability")]
     pub output: PathBuf,
+}
+
+/// Options of `bake luminet`.
+#[derive(Debug, Args)]
+pub struct LuminetArgs {
+    /// Directory to write to.
+    #[arg(short, long, value_name = "DIR", default_value = "disc")]
+    pub output: PathBuf,
+    /// Angle of the disc's axis from the line of sight, from 1 to 89.
+    #[arg(
+        long,
+        value_name = "DEG",
+        default_value_t = 80.0,
+        allow_negative_numbers = true,
+        value_parser = visible_inclination
+    )]
+    pub inclination: f64,
 }

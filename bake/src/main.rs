@@ -24,6 +24,7 @@ fn main() -> ExitCode {
         Some(Command::Chart(args)) if args.disc => commands::crossing_chart::run(&args),
         Some(Command::Chart(args)) => commands::chart::run(&args),
         Some(Command::Stability(args)) => commands::stability::run(&args),
+        Some(Command::Luminet(args)) => commands::luminet::run(&args),
     };
     Outcome::end(PROGRAM, outcome)
 }

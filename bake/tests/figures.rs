@@ -1,4 +1,4 @@
-//! `bake chart` and `bake stability`, run as a user runs them.
+//! `bake chart`, `bake stability` and `bake luminet`, run as a user runs them.
 
 use std::fs;
 use std::path::Path;
@@ -71,6 +71,30 @@ fn the_atlas_of_stability_is_the_recorded_size_and_the_product_passes() {
         assert!(svg.contains(regime), "{name}");
         assert!(fs::read(stem.with_extension("png")).unwrap().len() > 10_000);
     }
+}
+
+#[test]
+fn luminets_disc_is_the_recorded_one() {
+    let directory = tempfile::tempdir().unwrap();
+    let output = bake(&["luminet"], directory.path());
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let csv = fs::read_to_string(directory.path().join("luminet.csv")).unwrap();
+    let recorded = include_str!("../../docs/disc/luminet.csv");
+    assert_eq!(csv.lines().count(), recorded.lines().count());
+    let svg = fs::read_to_string(directory.path().join("luminet.svg")).unwrap();
+    assert!(svg.contains("80°"));
+    let summary = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        summary.starts_with("brightest point: flux 2.808"),
+        "{summary}"
+    );
+    let refused = bake(&["luminet", "--inclination", "90"], directory.path());
+    assert_eq!(refused.status.code(), Some(2));
+    let line = String::from_utf8(refused.stderr).unwrap();
+    assert!(
+        line.contains("--inclination") && line.contains("1 to 89"),
+        "{line}"
+    );
 }
 
 #[test]

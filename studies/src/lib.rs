@@ -1,6 +1,7 @@
 //! Studies of speed and accuracy, and their figures.
 //!
-//! [`table_error`] compares a table with the direct integrator and with the closed form; [`figure`] draws.
+//! [`table_error`] compares a table with the direct integrator and with the closed form; [`figure`] draws;
+//! [`luminet`] draws a disc as Luminet did in 1979.
 //!
 //! Studies of single rays (feature `methods`): [`methods`] holds every method that computes a deflection angle
 //! (bending), [`method_chart`] charts their time against their error, and [`stability`] tests them where methods
@@ -26,6 +27,7 @@ pub mod gpu_chart;
 pub mod gpu_time;
 #[cfg(feature = "render")]
 pub mod heat_map;
+pub mod luminet;
 #[cfg(feature = "methods")]
 pub mod method_chart;
 #[cfg(feature = "methods")]

@@ -102,3 +102,11 @@ pub(super) fn field_of_view(text: &str) -> Result<f64, String> {
         Err("must be between 0 and 180 degrees".to_owned())
     }
 }
+
+/// An inclination at which a disc is seen neither face-on nor edge-on.
+pub(super) fn visible_inclination(text: &str) -> Result<f64, String> {
+    let degrees = text.parse().ok();
+    degrees
+        .filter(|degrees| (1.0..=89.0).contains(degrees))
+        .ok_or_else(|| "must be an angle in degrees from 1 to 89".to_owned())
+}

@@ -7,6 +7,7 @@ pub mod crossing_chart;
 pub mod diff;
 pub mod export;
 pub mod inspect;
+pub mod luminet;
 pub mod query;
 pub mod stability;
 

@@ -35,28 +35,41 @@ impl PictureError {
     pub fn of(lens: &Lens, picture: &Picture, reference: &Picture) -> Self {
         let camera = &lens.camera;
         let pixels = FilteredPixels::new(lens, Rendition::default());
-        let (mut whole, mut beside_edge) = (MeanError::default(), MeanError::default());
-        let pairs = picture.pixels().iter().zip(reference.pixels());
-        for (i, (a, b)) in (0..).zip(pairs) {
-            whole.add(*a, *b);
+        let beside_edge = |i: u32| {
             let distance = pixels.edge_distance(i % camera.width, i / camera.width);
-            if (-1.0..BESIDE_EDGE).contains(&distance) {
-                beside_edge.add(*a, *b);
-            }
-        }
+            (-1.0..BESIDE_EDGE).contains(&distance)
+        };
         PictureError {
-            whole: whole.mean(),
-            beside_edge: beside_edge.mean(),
+            whole: MeanError::of(picture, reference, |_| true),
+            beside_edge: MeanError::of(picture, reference, beside_edge),
         }
     }
 }
 
+/// The mean over the channels of a pixel of the difference of `a` and `b` on the screen, in 1/255.
+pub(super) fn screen_error(a: [f32; 3], b: [f32; 3]) -> f64 {
+    let screen = |light: [f32; 3]| tone_map(light.into(), 0.0).map(srgb_from_linear);
+    mean_of_channels(screen(a), screen(b))
+}
+
+fn mean_of_channels(a: Vec3, b: Vec3) -> f64 {
+    f64::from((a - b).abs().element_sum()) * 255.0 / 3.0
+}
+
 impl MeanError {
+    /// The error of `picture` against `reference` over the pixels that are `among` the set, by their index.
+    pub(super) fn of(picture: &Picture, reference: &Picture, among: impl Fn(u32) -> bool) -> Self {
+        let mut sum = MeanError::default();
+        let pairs = picture.pixels().iter().zip(reference.pixels());
+        for (_, (a, b)) in (0..).zip(pairs).filter(|(i, _)| among(*i)) {
+            sum.add(*a, *b);
+        }
+        sum.mean()
+    }
+
     fn add(&mut self, a: [f32; 3], b: [f32; 3]) {
-        let off = |a: Vec3, b: Vec3| f64::from((a - b).abs().element_sum()) * 255.0 / 3.0;
-        let screen = |light: [f32; 3]| tone_map(light.into(), 0.0).map(srgb_from_linear);
-        self.screen += off(screen(a), screen(b));
-        self.linear += off(a.into(), b.into());
+        self.screen += screen_error(a, b);
+        self.linear += mean_of_channels(a.into(), b.into());
         self.pixels += 1;
     }
 

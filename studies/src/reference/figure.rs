@@ -3,6 +3,7 @@
 use super::{SampledPicture, Study};
 use crate::figure::drawing::{self, DrawError, text};
 use glam::DVec3;
+use lensbake_render::lens::Lens;
 use lensbake_render::picture::{Picture, encode_png};
 use plotters::prelude::*;
 
@@ -14,35 +15,66 @@ const GAP: u32 = 12;
 const LINE: u32 = 30;
 const COLUMNS: u32 = 3;
 
-/// The figure of `studies` as a PNG file, one row per study.
+/// A row of the figure: three pictures of a view, a line of text above each, and the lens they are drawn through.
+#[derive(Debug)]
+pub struct Row<'a> {
+    /// The lens.
+    pub lens: &'a Lens,
+    /// The pictures.
+    pub pictures: [&'a Picture; 3],
+    /// The lines of text.
+    pub texts: [String; 3],
+}
+
+impl<'a> From<&'a Study> for Row<'a> {
+    fn from(study: &'a Study) -> Self {
+        let errors = |what, entry: &SampledPicture| {
+            let (whole, edge) = (entry.error.whole.screen, entry.error.beside_edge.screen);
+            format!("{what}: off by {whole:.2}/255, at the edge {edge:.2}/255")
+        };
+        Row {
+            lens: &study.lens,
+            pictures: [
+                &study.reference,
+                &study.filtered.picture,
+                &study.single.picture,
+            ],
+            texts: [
+                format!("{}: reference", study.case.name),
+                errors("filtered", &study.filtered),
+                errors("one ray", &study.single),
+            ],
+        }
+    }
+}
+
+/// The figure as a PNG file, one row per study.
 ///
 /// # Errors
 /// [`DrawError`] if drawing or encoding fails.
-pub fn png(studies: &[Study]) -> Result<Vec<u8>, DrawError> {
+pub fn png<'a>(
+    studies: impl IntoIterator<Item = impl Into<Row<'a>>>,
+) -> Result<Vec<u8>, DrawError> {
+    let rows: Vec<Row> = studies.into_iter().map(Into::into).collect();
     let width = GAP + COLUMNS * (CROP[0] * ZOOM + GAP);
-    let height = studies.len() as u32 * (LINE + CROP[1] * ZOOM) + GAP;
+    let height = rows.len() as u32 * (LINE + CROP[1] * ZOOM) + GAP;
     let mut canvas = vec![[255_u8; 3]; (width * height) as usize];
-    for (row, study) in (0..).zip(studies) {
-        let top = row * (LINE + CROP[1] * ZOOM) + LINE;
-        let pictures = [
-            &study.reference,
-            &study.filtered.picture,
-            &study.single.picture,
-        ];
-        for (column, picture) in (0..).zip(pictures) {
+    for (index, row) in (0..).zip(&rows) {
+        let top = index * (LINE + CROP[1] * ZOOM) + LINE;
+        for (column, picture) in (0..).zip(row.pictures) {
             let left = GAP + column * (CROP[0] * ZOOM + GAP);
-            draw_crop(&mut canvas, width, [left, top], picture, corner(study));
+            draw_crop(&mut canvas, width, [left, top], picture, corner(row.lens));
         }
     }
     let bytes: &mut [u8] = bytemuck::cast_slice_mut(&mut canvas);
-    draw_text(bytes, (width, height), studies)?;
+    draw_text(bytes, (width, height), &rows)?;
     encode_png(width, height, bytes).map_err(DrawError::new)
 }
 
 /// The upper left corner of the crop: its middle is on the shadow's edge, to the right of the hole and a little
 /// above.
-fn corner(study: &Study) -> [u32; 2] {
-    let camera = &study.lens.camera;
+fn corner(lens: &Lens) -> [u32; 2] {
+    let camera = &lens.camera;
     let (sin, cos) = camera.observer.shadow_angle().sin_cos();
     let edge = |turn: f64| DVec3::new(sin * turn.cos(), sin * turn.sin(), -cos);
     let (column, row) = camera
@@ -82,24 +114,15 @@ fn draw_crop(
 fn draw_text(
     canvas: &mut [u8],
     size: (u32, u32),
-    studies: &[Study],
+    rows: &[Row],
 ) -> Result<(), Box<dyn std::error::Error>> {
     drawing::register_font();
     let area = BitMapBackend::with_buffer(canvas, size).into_drawing_area();
-    for (row, study) in (0..).zip(studies) {
-        let errors = |what, entry: &SampledPicture| {
-            let (whole, edge) = (entry.error.whole.screen, entry.error.beside_edge.screen);
-            format!("{what}: off by {whole:.2}/255, at the edge {edge:.2}/255")
-        };
-        let texts = [
-            format!("{}: reference", study.case.name),
-            errors("filtered", &study.filtered),
-            errors("one ray", &study.single),
-        ];
-        for (column, line) in (0..).zip(texts) {
+    for (index, row) in (0..).zip(rows) {
+        for (column, line) in (0..).zip(&row.texts) {
             let x = GAP + column * (CROP[0] * ZOOM + GAP);
-            let y = row * (LINE + CROP[1] * ZOOM) + 7;
-            area.draw(&Text::new(line, (x as i32, y as i32), text(19)))?;
+            let y = index * (LINE + CROP[1] * ZOOM) + 7;
+            area.draw(&Text::new(line.as_str(), (x as i32, y as i32), text(19)))?;
         }
     }
     area.present()?;

@@ -6,11 +6,16 @@
 
 mod cost;
 pub mod csv;
+mod disc_orbit;
+mod disc_rays;
+mod disc_study;
 mod error;
 pub mod figure;
 mod study;
 
 pub use cost::{Cost, cost};
+pub use disc_rays::DiscReference;
+pub use disc_study::{DiscCase, DiscPicture, DiscStudy, DrawnBy, disc_cases, disc_study};
 pub use error::{BESIDE_EDGE, MeanError, PictureError};
 pub use study::{Case, SampledPicture, Study, StudyError, cases, study};
 

@@ -3,6 +3,7 @@
 use super::{PictureError, on_gpu};
 use lensbake_core::{Motion, Observer};
 use lensbake_render::camera::{Camera, CameraError, View};
+use lensbake_render::disc::DiscError;
 use lensbake_render::gpu::{GpuError, Renderer};
 use lensbake_render::lens::{Deflection, Lens, LensError};
 use lensbake_render::picture::Picture;
@@ -63,6 +64,9 @@ pub enum StudyError {
     /// The lens is invalid.
     #[error(transparent)]
     Lens(#[from] LensError),
+    /// The disc is invalid.
+    #[error(transparent)]
+    Disc(#[from] DiscError),
     /// The GPU failed.
     #[error(transparent)]
     Gpu(#[from] GpuError),

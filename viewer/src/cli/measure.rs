@@ -72,6 +72,15 @@ pub struct ReferenceArgs {
     /// Measure the cost of filtering at 1920x1080 instead; writes no files.
     #[arg(long)]
     pub cost: bool,
+    /// Compare pictures of a disc instead, and write disc.csv and disc.png.
+    #[arg(long, conflicts_with = "cost")]
+    pub disc: bool,
+    /// Only the views whose name contains this text, such as "r = 4" or "90°"; with --disc.
+    #[arg(long, value_name = "TEXT", requires = "disc")]
+    pub only: Option<String>,
+    /// Device that draws the pictures of a disc: `cpu`, `gpu` (and the CPU), or `auto` (the GPU too, if there is one).
+    #[arg(short, long, value_enum, default_value_t = DeviceName::Auto, requires = "disc")]
+    pub device: DeviceName,
     /// Rays along each side of a pixel of the reference picture (N x N rays per pixel).
     #[arg(long, value_name = "N", default_value_t = 32, value_parser = clap::value_parser!(u32).range(2..=64))]
     pub rays: u32,

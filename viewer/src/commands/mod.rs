@@ -118,6 +118,9 @@ pub enum CommandError {
         "--sampling anisotropic needs a GPU, whose filter it is; on the CPU use --sampling filtered"
     )]
     AnisotropicOnCpu,
+    /// No view of a disc has the text in its name.
+    #[error("--only {0}: no view has this in its name; leave it out to see the names of all")]
+    NoSuchView(String),
     /// An option does not go with the projection.
     #[error("{0}")]
     Projection(&'static str),
