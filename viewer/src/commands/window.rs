@@ -30,6 +30,7 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
         view,
         step,
         shift: args.view.light.shift.into(),
+        disc: None,
         sky: args.view.light.sky.clone(),
         stars,
         stars_everywhere: args.stars.stars.is_some(),

@@ -7,6 +7,7 @@ use lensbake_film::FlightPath;
 use lensbake_interactive::settings::Settings;
 use lensbake_interactive::state::{NamedTable, Refusal, State};
 use lensbake_render::camera::{Camera, View};
+use lensbake_render::disc::Disc;
 use lensbake_render::gpu::{Gpu, Pass};
 use lensbake_render::shift::Shift;
 use lensbake_render::sky::{self, SkySource};
@@ -24,8 +25,10 @@ pub struct Options {
     pub view: View,
     /// Step of the direct integrator, rad.
     pub step: f64,
-    /// What of the frequency shift is shown.
+    /// What of the frequency shift of the sky is shown.
     pub shift: Shift,
+    /// The disc that is shown at the start, if any.
+    pub disc: Option<Disc>,
     /// Source of the sky.
     pub sky: SkySource,
     /// The stars.
@@ -53,6 +56,8 @@ pub fn run(options: Options) -> Result<(), WindowError> {
     Camera::new(&options.view).map_err(Refusal::View)?;
     let settings = Settings {
         shift: options.shift,
+        disc_shown: options.disc.is_some(),
+        disc: options.disc.unwrap_or_default(),
         ..Settings::new(options.view, options.step)
     };
     let table = NamedTable::new(options.table, options.table_name);
