@@ -27,14 +27,14 @@ pub struct Options {
     pub step: f64,
     /// What of the frequency shift of the sky is shown.
     pub shift: Shift,
-    /// The disc that is shown at the start, if any.
-    pub disc: Option<Disc>,
     /// Source of the sky.
     pub sky: SkySource,
     /// The stars.
     pub stars: StarField,
     /// Whether the stars are drawn in front of every sky, not only of the sky `stars`.
     pub stars_everywhere: bool,
+    /// The disc around the hole, if there is one.
+    pub disc: Option<Disc>,
     /// A path of the camera, which plays at once.
     pub path: Option<FlightPath>,
     /// The bending table.

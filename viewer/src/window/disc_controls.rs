@@ -88,7 +88,7 @@ fn light(ui: &mut Ui, disc: &mut Disc) {
         .on_hover_text("where the disc is hottest, without frequency shift: 1 is white");
     ui.end_row();
 
-    ui.label("its shift");
+    ui.label("disc shift");
     ui.horizontal(|ui| {
         for shift in SHIFTS {
             ui.selectable_value(&mut disc.shift, shift, shift.name());
