@@ -36,6 +36,11 @@ pub fn seen_from(orientation: &Orientation) -> String {
     format!("seen from longitude {longitude}°, latitude {latitude}°:")
 }
 
+/// How the disc is inclined to the camera of these settings, in words.
+pub fn seen_here(settings: &Settings) -> String {
+    format!("inclined by {:.1}°", settings.disc_inclination_deg())
+}
+
 impl Settings {
     /// The disc of the picture, if it has one.
     pub fn shown_disc(&self) -> Option<Disc> {
@@ -44,7 +49,7 @@ impl Settings {
 
     /// Angle between the axis of the disc and the line from the hole to the camera, degrees: 0 shows the disc face-on,
     /// 90 edge-on.
-    pub fn disc_inclination_deg(&self) -> f64 {
+    fn disc_inclination_deg(&self) -> f64 {
         let to_camera = Place::of(&self.view).direction();
         let axis = self.disc.orientation.axis();
         axis.angle_between(to_camera).to_degrees()
@@ -78,7 +83,7 @@ mod tests {
     fn the_inclination_is_that_to_the_camera() {
         let mut settings = at(10.0, Motion::Rest);
         settings.disc.orientation.inclination_deg = 80.0;
-        assert!((settings.disc_inclination_deg() - 80.0).abs() < 1e-12);
+        assert_eq!(seen_here(&settings), "inclined by 80.0°");
         // The axis points to latitude 80°.
         for (latitude_deg, seen) in [(-10.0, 90.0), (80.0, 0.0), (30.0, 50.0)] {
             settings.view.latitude_deg = latitude_deg;

@@ -3,7 +3,7 @@
 use super::typed::typed;
 use egui::{RichText, Slider, Ui};
 use lensbake_interactive::disc_choice::{
-    BRIGHTNESSES, INCLINATIONS, NODES, RADII, radii, seen_from,
+    BRIGHTNESSES, INCLINATIONS, NODES, RADII, radii, seen_from, seen_here,
 };
 use lensbake_interactive::settings::{SHIFTS, Settings};
 use lensbake_render::disc::{Disc, Orientation};
@@ -17,15 +17,14 @@ pub fn disc(ui: &mut Ui, settings: &mut Settings) {
     if !settings.disc_shown {
         return;
     }
-    let seen_inclined_by = settings.disc_inclination_deg();
+    let inclined = seen_here(settings);
     let disc = &mut settings.disc;
     let [inner, outer] = radii(disc);
     radius(ui, "inner radius", &mut disc.inner, inner);
     radius(ui, "outer radius", &mut disc.outer, outer);
     orientation(ui, &mut disc.orientation);
     ui.label("seen here");
-    let seen = format!("inclined by {seen_inclined_by:.1}°");
-    ui.label(RichText::new(seen).monospace())
+    ui.label(RichText::new(inclined).monospace())
         .on_hover_text("angle of the axis from the line of sight to the hole");
     ui.end_row();
     light(ui, disc);
