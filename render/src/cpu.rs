@@ -1,10 +1,12 @@
 //! The CPU renderer in f64, parallel over rows of pixels: the reference for the GPU renderer.
 
 use crate::camera::{Camera, Mapping};
+use crate::disc::{Disc, SeenDisc};
 use crate::filter::FilteredPixels;
 use crate::lens::Lens;
 use crate::picture::Picture;
 use crate::scene::{Sampling, Scene};
+use crate::shift::Rendition;
 use crate::stars;
 use glam::{DVec3, Vec3};
 use lensbake_core::RayOutcome;
@@ -32,9 +34,12 @@ use rayon::prelude::*;
 pub fn render(scene: &Scene, row_done: impl Fn() + Sync) -> Picture {
     let (lens, sky) = (&scene.lens, scene.sky.as_ref());
     let camera = &lens.camera;
-    let filtered = FilteredPixels::new(lens, scene.rendition);
+    let filtered = FilteredPixels::new(lens, scene.rendition).with_disc(scene.disc);
+    let disc = scene
+        .disc
+        .map(|disc| SeenDisc::new(lens, disc, scene.rendition));
     let pixels = by_pixel(camera, row_done, |column, row| match scene.sampling {
-        Sampling::Single => single(scene, camera.direction(column, row)).to_array(),
+        Sampling::Single => single(scene, disc.as_ref(), camera.direction(column, row)).to_array(),
         Sampling::Filtered | Sampling::Anisotropic => {
             filtered.light(sky, column, row).truncate().to_array()
         }
@@ -51,19 +56,51 @@ pub(crate) fn finish(picture: &mut Picture, scene: &Scene) {
         picture.cover(|column, row| camera.coverage(column, row) as f32);
     }
     if let Some(field) = &scene.stars {
-        stars::draw(picture, &scene.lens, field, scene.rendition);
+        add_stars(
+            picture,
+            &scene.lens,
+            scene.rendition,
+            scene.disc,
+            |picture| {
+                stars::draw(picture, &scene.lens, field, scene.rendition);
+            },
+        );
     }
 }
 
+/// Adds the light of stars, which `draw` adds to a picture, to the picture of their sky. A disc dims the stars behind it,
+/// by pixel.
+pub fn add_stars(
+    picture: &mut Picture,
+    lens: &Lens,
+    rendition: Rendition,
+    disc: Option<Disc>,
+    draw: impl FnOnce(&mut Picture),
+) {
+    if disc.is_none() {
+        draw(picture);
+        return;
+    }
+    let mut stars = Picture::black(picture.width(), picture.height());
+    draw(&mut stars);
+    let pixels = FilteredPixels::new(lens, rendition).with_disc(disc);
+    stars.cover(|column, row| pixels.through_disc(column, row));
+    picture.add_picture(&stars);
+}
+
 /// The light of the single ray with the unit view `direction`, in the hole frame.
-fn single(scene: &Scene, direction: DVec3) -> Vec3 {
-    match scene.lens.ray(direction) {
+fn single(scene: &Scene, disc: Option<&SeenDisc>, direction: DVec3) -> Vec3 {
+    let sky = match scene.lens.ray(direction) {
         RayOutcome::Captured => Vec3::ZERO,
         RayOutcome::Escapes(ray) => {
             let on_sky = scene.lens.camera.sky_from_hole * ray.direction;
             let light = scene.sky.sample(on_sky.as_vec3());
             scene.rendition.seen(light, || ray.frequency_shift)
         }
+    };
+    match disc {
+        Some(disc) => disc.before(direction, sky.extend(1.0)).truncate(),
+        None => sky,
     }
 }
 

@@ -6,8 +6,9 @@
 //! 3 × 3 patches, each with one ray and its own footprint. The distance to the edge gives the part of a patch that
 //! lies in the shadow, and the ray goes through the middle of the other part.
 
+use crate::disc::{Disc, SeenDisc};
 use crate::footprint::Patch;
-use crate::lens::Lens;
+use crate::lens::{Deflected, Lens};
 use crate::shadow::{Shadow, SkyPart};
 use crate::shift::Rendition;
 use crate::sky::Sky;
@@ -54,6 +55,7 @@ pub struct FilteredPixels<'a> {
     lens: &'a Lens,
     rendition: Rendition,
     shadow: Shadow,
+    disc: Option<SeenDisc<'a>>,
 }
 
 impl<'a> FilteredPixels<'a> {
@@ -63,17 +65,36 @@ impl<'a> FilteredPixels<'a> {
             lens,
             rendition,
             shadow: Shadow::of(lens),
+            disc: None,
         }
     }
 
-    /// The light of pixel (column, row) from `sky`. RGB is linear and premultiplied by alpha, the share of the
-    /// pixel's area that sees the sky.
+    /// The same pixels with a disc around the hole.
+    pub fn with_disc(self, disc: Option<Disc>) -> Self {
+        FilteredPixels {
+            disc: disc.map(|disc| SeenDisc::new(self.lens, disc, self.rendition)),
+            ..self
+        }
+    }
+
+    /// The light of pixel (column, row) from `sky` and the disc. RGB is linear and premultiplied by alpha, the share of the
+    /// pixel's area that sees the sky or the disc.
     pub fn light(&self, sky: &Sky, column: u32, row: u32) -> Vec4 {
+        self.light_before(Some(sky), column, row)
+    }
+
+    /// The share of the light behind the disc that pixel (column, row) gets, 0 to 1.
+    pub fn through_disc(&self, column: u32, row: u32) -> f32 {
+        1.0 - self.light_before(None, column, row).w
+    }
+
+    /// The light of a pixel from the sky, if any, and the disc.
+    fn light_before(&self, sky: Option<&Sky>, column: u32, row: u32) -> Vec4 {
         let at = self.lens.camera.position(column, row);
         let whole = self.patch(at, 1.0);
         match self.kind(&whole) {
-            Kind::Shadow => Vec4::ZERO,
-            Kind::Sky => self.sky_light(sky, &whole, MAX_TAPS),
+            Kind::Shadow => self.behind_inward(&whole, Vec4::ZERO),
+            Kind::Sky => self.light_of(sky, &whole),
             Kind::Edge => self.edge_light(sky, at),
         }
     }
@@ -165,20 +186,64 @@ impl<'a> FilteredPixels<'a> {
         })
     }
 
-    fn edge_light(&self, sky: &Sky, at: DVec2) -> Vec4 {
+    fn edge_light(&self, sky: Option<&Sky>, at: DVec2) -> Vec4 {
         let mut sum = Vec4::ZERO;
         for (patch, part) in self.edge_parts(at) {
+            let mut light = Vec4::ZERO;
             if part.covered > 0.0 {
-                let patch = patch.moved(part.shift * patch.gradient(), part.extent);
-                sum += part.covered as f32 * self.sky_light(sky, &patch, MAX_TAPS_BESIDE_EDGE);
+                let outside = patch.moved(part.shift * patch.gradient(), part.extent);
+                light = part.covered as f32 * self.outside_light(sky, &outside);
             }
+            sum += self.behind_inward(&patch, light);
         }
         sum / (SUB_RAYS * SUB_RAYS) as f32
     }
 
-    /// The mean light over a patch that sees only sky, with alpha 1; 0 if its ray is captured.
-    fn sky_light(&self, sky: &Sky, patch: &Patch, most_taps: u32) -> Vec4 {
+    /// `light` with what the disc adds and hides before the periapsis of the rays of `patch`.
+    fn behind_inward(&self, patch: &Patch, light: Vec4) -> Vec4 {
+        match &self.disc {
+            Some(disc) => disc.in_front(disc.inward(patch), light),
+            None => light,
+        }
+    }
+
+    /// The mean light over a patch away from the shadow's edge.
+    fn light_of(&self, sky: Option<&Sky>, patch: &Patch) -> Vec4 {
         let RayOutcome::Escapes(deflected) = self.lens.deflect(patch.view_angle) else {
+            return Vec4::ZERO;
+        };
+        let light = self.sky_light(sky, patch, deflected, MAX_TAPS);
+        match &self.disc {
+            Some(disc) => {
+                let hits = [disc.inward(patch), disc.outward(patch, deflected)];
+                disc.both_in_front(hits, light)
+            }
+            None => light,
+        }
+    }
+
+    /// The mean light that a patch beside the shadow's edge and outside the shadow gets from beyond the periapsis of its
+    /// rays; 0 if its ray is captured.
+    fn outside_light(&self, sky: Option<&Sky>, patch: &Patch) -> Vec4 {
+        let RayOutcome::Escapes(deflected) = self.lens.deflect(patch.view_angle) else {
+            return Vec4::ZERO;
+        };
+        let light = self.sky_light(sky, patch, deflected, MAX_TAPS_BESIDE_EDGE);
+        match &self.disc {
+            Some(disc) => disc.in_front(disc.outward(patch, deflected), light),
+            None => light,
+        }
+    }
+
+    /// The mean light of the sky over a patch that sees only sky, with alpha 1; 0 without a sky.
+    fn sky_light(
+        &self,
+        sky: Option<&Sky>,
+        patch: &Patch,
+        deflected: Deflected,
+        most_taps: u32,
+    ) -> Vec4 {
+        let Some(sky) = sky else {
             return Vec4::ZERO;
         };
         let footprint = patch

@@ -109,6 +109,15 @@ impl Picture {
         }
     }
 
+    /// A black picture.
+    pub fn black(width: u32, height: u32) -> Self {
+        Picture::new(
+            width,
+            height,
+            vec![[0.0; 3]; width as usize * height as usize],
+        )
+    }
+
     /// The pixels whose light could not be computed, if any.
     pub fn without_value(&self) -> Option<WithoutValue> {
         self.without_value
@@ -140,12 +149,13 @@ impl Picture {
         }
     }
 
-    /// Multiplies each pixel by `share(column, row)`.
+    /// Multiplies each pixel by `share(column, row)`, which is not called for black pixels.
     pub fn cover(&mut self, share: impl Fn(u32, u32) -> f32 + Sync) {
         let width = self.width as usize;
         let rows = self.pixels.par_chunks_mut(width).zip(0..self.height);
         rows.for_each(|(pixels, row)| {
-            for (column, pixel) in (0..).zip(pixels) {
+            let lit = (0..).zip(pixels).filter(|(_, pixel)| **pixel != [0.0; 3]);
+            for (column, pixel) in lit {
                 *pixel = pixel.map(|channel| channel * share(column, row));
             }
         });

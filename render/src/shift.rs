@@ -139,6 +139,20 @@ fn recoloured(light: Vec3, g: f64) -> Vec3 {
     Vec3::from_array(shifted.map(|channel| (channel * scale) as f32))
 }
 
+/// The light of a black body of this temperature, K, in linear RGB with luminance 1, by the model of this module.
+/// Temperatures outside [`KELVINS`] have the colour of the nearest inside.
+pub(crate) fn black_body(kelvin: f64) -> Vec3 {
+    // NaN, of matter without light, counts as cold.
+    let inverse = (1.0 / kelvin)
+        .min(1.0 / KELVINS.start())
+        .max(1.0 / KELVINS.end());
+    let change = inverse - 1.0 / WHITE_KELVIN;
+    let light =
+        [0.0, green_over_red(), blue_over_red()].map(|factor| (-factor * change).exp() as f32);
+    let light = Vec3::from_array(light);
+    light / light.dot(LUMINANCE)
+}
+
 /// Temperature of the black body whose ratio of blue to red is that of `light`, K.
 fn temperature(light: Vec3) -> f64 {
     let least = DARKEST * f64::from(light.dot(LUMINANCE));

@@ -5,6 +5,15 @@
 //! meets it at most twice: once on its way towards the hole, and once on its way out to the sky (module `leg`). That
 //! holds for every image order, since no ray turns by half a turn outside the innermost stable orbit, r = 3.
 
+mod coverage;
+mod leg;
+mod light;
+mod rim;
+mod seen;
+
+pub use rim::Rim;
+pub use seen::{Hit, SeenDisc};
+
 use crate::shift::Shift;
 use glam::{DMat3, DVec3};
 use lensbake_core::accretion::INNERMOST_STABLE;
