@@ -31,11 +31,15 @@ pub fn emitted_frequency(r: f64, angular_momentum: f64) -> f64 {
 /// (Page and Thorne 1974, ApJ 191, 499, for a hole without spin): 1 at [`BRIGHTEST_RADIUS`], 0 at
 /// [`INNERMOST_STABLE`] and inside, ∝ r⁻³ far away. The temperature goes as its fourth root.
 pub fn flux(r: f64) -> f64 {
-    unscaled_flux(r) / unscaled_flux(BRIGHTEST_RADIUS)
+    page_thorne(r) / page_thorne(BRIGHTEST_RADIUS)
 }
 
-/// The flux in units of 3Ṁ/(8πM²), with x = r/M = 2r.
-fn unscaled_flux(r: f64) -> f64 {
+/// The flux of [`flux`] in units of 3Ṁ/(8πM²), with Ṁ the mass per time that the disc brings to the hole: with x = r/M = 2r,
+///
+/// ```text
+/// (√x − √6 + (√3/2) ln(((√x+√3)(√6−√3)) / ((√x−√3)(√6+√3)))) / ((x − 3) x^{5/2})
+/// ```
+pub fn page_thorne(r: f64) -> f64 {
     if r <= INNERMOST_STABLE {
         return 0.0;
     }
@@ -55,7 +59,7 @@ mod tests {
     #[test]
     fn the_flux_is_greatest_where_it_is_known_to_be() {
         assert!((2.0 * BRIGHTEST_RADIUS - 9.550_928_077_9).abs() < 1e-9);
-        let greatest = 3.0 / (8.0 * PI) * unscaled_flux(BRIGHTEST_RADIUS);
+        let greatest = 3.0 / (8.0 * PI) * page_thorne(BRIGHTEST_RADIUS);
         assert!((greatest - 1.367_811e-5).abs() < 5e-12, "{greatest}");
         for r in [BRIGHTEST_RADIUS - 1e-3, BRIGHTEST_RADIUS + 1e-3] {
             assert!(flux(r) < 1.0 && flux(r) > 1.0 - 1e-5);
@@ -72,7 +76,7 @@ mod tests {
         let integrand = |t: f64| {
             let x = 6.0 / (t * t);
             let energy = (1.0 - 2.0 / x) / (1.0 - 3.0 / x).sqrt();
-            let flux = 3.0 / (8.0 * PI) * unscaled_flux(0.5 * x);
+            let flux = 3.0 / (8.0 * PI) * page_thorne(0.5 * x);
             4.0 * PI * x * flux * energy * 12.0 / (t * t * t)
         };
         let n = 4000;

@@ -11,6 +11,7 @@ mod light;
 mod rim;
 mod seen;
 
+pub(crate) use rim::COEFFICIENTS;
 pub use rim::Rim;
 pub use seen::{Hit, SeenDisc};
 

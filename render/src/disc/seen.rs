@@ -76,6 +76,11 @@ impl<'a> SeenDisc<'a> {
         self.axis
     }
 
+    /// Factor of its light.
+    pub(crate) fn scale(&self) -> f32 {
+        self.scale
+    }
+
     /// The inner and the outer rim.
     pub fn rims(&self) -> [Rim; 2] {
         [self.inner, self.outer]

@@ -1,13 +1,12 @@
 //! What compute passes draw with: a dispatch for each region, or for each tile class of a filtered region.
 
+use super::Region;
 use super::bindings::{bind_group, block_of};
 use super::camera_block::RegionBlock;
 use super::layouts::ComputeLayouts;
 use super::pipelines::ComputeProgram;
 use super::target::Target;
 use super::tile_queues::{PassInputs, WorkQueues};
-use super::{Region, SkyOnDevice};
-use crate::scene::Sampling;
 use crate::shaders::TILE;
 use wgpu::*;
 
@@ -59,25 +58,24 @@ impl ComputeResources {
         }
     }
 
-    /// Encodes the dispatches that draw `region`, the one with this index, whose uniform block is at `offset`.
+    /// Encodes the dispatches that draw `region`, the one with this index, whose uniform block is at `offset`: the sky and
+    /// the stars of `lights`, and the disc.
     pub(super) fn draw(
         &self,
         pass: &mut ComputePass,
         program: &ComputeProgram,
-        sky: Option<(&SkyOnDevice, Sampling)>,
-        stars: Option<&BindGroup>,
+        lights: &[&BindGroup],
+        disc: Option<&BindGroup>,
         (index, region, offset): (usize, Region, u32),
     ) {
-        let sky = sky.map(|(sky, sampling)| sky.bind_group(sampling));
-        if let (Some(classifier), Some(sky)) = (&program.classifier, sky) {
-            self.queues.classify(pass, classifier, sky, region, offset);
+        if let (Some(classifier), Some(sky)) = (&program.classifier, lights.first()) {
+            let lights = (*sky, disc);
+            self.queues
+                .classify(pass, classifier, lights, region, offset);
         }
         pass.set_bind_group(0, &self.bind_group, &[offset]);
-        if let Some(sky) = sky {
-            pass.set_bind_group(1, sky, &[]);
-        }
-        if let Some(stars) = stars {
-            pass.set_bind_group(2, stars, &[]);
+        for (group, bound) in (1..).zip(lights.iter().copied().chain(disc)) {
+            pass.set_bind_group(group, bound, &[]);
         }
         for (queue, pipeline) in program.pipelines.iter().enumerate() {
             pass.set_pipeline(pipeline);

@@ -1,13 +1,12 @@
 //! What render passes draw with: one triangle over the target for each region, clipped to the region.
 
+use super::Region;
 use super::bindings::{bind_group, block_of};
 use super::camera_block::RegionBlock;
 use super::layouts::Layouts;
 use super::target::Target;
 use super::tile_queues::PassInputs;
 use super::timestamps::PassTimestamps;
-use super::{Region, SkyOnDevice};
-use crate::scene::Sampling;
 use wgpu::*;
 
 /// The bind group of camera, region and row.
@@ -38,13 +37,12 @@ impl FragmentResources {
         }
     }
 
-    /// Encodes the render pass that draws a region.
+    /// Encodes the render pass that draws a region: the sky, the stars and the disc of `lights`.
     pub(super) fn draw(
         &self,
         encoder: &mut CommandEncoder,
         (label, pipeline): (&str, &RenderPipeline),
-        sky: Option<(&SkyOnDevice, Sampling)>,
-        stars: Option<&BindGroup>,
+        lights: &[&BindGroup],
         drawn: FragmentRegion,
         timestamps: Option<PassTimestamps>,
     ) {
@@ -72,11 +70,8 @@ impl FragmentResources {
         pass.set_scissor_rect(column, row, width, height);
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &self.bind_group, &[drawn.offset]);
-        if let Some((sky, sampling)) = sky {
-            pass.set_bind_group(1, sky.bind_group(sampling), &[]);
-        }
-        if let Some(stars) = stars {
-            pass.set_bind_group(2, stars, &[]);
+        for (group, bound) in (1..).zip(lights) {
+            pass.set_bind_group(group, *bound, &[]);
         }
         pass.draw(0..3, 0..1);
     }

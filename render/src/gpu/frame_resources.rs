@@ -5,6 +5,7 @@
 use super::bindings::uniform_buffer;
 use super::camera_block::{CameraBlock, RegionBlock};
 use super::compute_pass::ComputeResources;
+use super::disc_block::DiscOnDevice;
 use super::fragment_pass::{FragmentRegion, FragmentResources};
 use super::layouts::Layouts;
 use super::pass::Pass;
@@ -16,6 +17,7 @@ use super::target::Target;
 use super::tile_queues::{self, PassInputs};
 use super::timestamps::PassTimestamps;
 use super::{Gpu, GpuError, Region, SkyOnDevice};
+use crate::disc::Disc;
 use crate::lens::Lens;
 use crate::scene::Sampling;
 use crate::shadow::Shadow;
@@ -41,6 +43,7 @@ pub(super) struct FrameResources {
     region_stride: u64,
     drawing: Drawing,
     stars: Option<StarLists>,
+    disc: Option<DiscOnDevice>,
 }
 
 /// What the programs of either kind of pass draw with.
@@ -91,6 +94,7 @@ impl FrameResources {
             region_stride,
             drawing,
             stars: None,
+            disc: None,
         }
     }
 
@@ -165,6 +169,15 @@ impl FrameResources {
         }
     }
 
+    /// Sets the disc that the next dispatches draw through `lens`.
+    pub(super) fn show_disc(&mut self, lens: &Lens, disc: Disc, rendition: Rendition) {
+        let (device, layout) = (&self.gpu.device, &self.pipelines.layouts.disc);
+        let on_device = self
+            .disc
+            .get_or_insert_with(|| DiscOnDevice::new(device, layout));
+        on_device.show(&self.gpu.queue, lens, disc, rendition);
+    }
+
     /// Checks that no light of the stars was lost in the picture drawn last.
     ///
     /// # Errors
@@ -200,7 +213,11 @@ impl FrameResources {
         let stars = self.stars.as_ref().filter(|_| program.key.stars);
         let lists = stars.filter(|_| index == 0);
         let label = program.key.name();
-        let sky = sky.map(|sky| (sky, program.key.sampling()));
+        let sky = sky.map(|sky| sky.bind_group(program.key.sampling()));
+        let disc = self.disc.as_ref().filter(|_| program.key.disc);
+        let disc = disc.map(DiscOnDevice::bind_group);
+        let mut lights: Vec<&BindGroup> = sky.into_iter().collect();
+        lights.extend(stars.map(StarLists::reading));
         let region = self.regions[index];
         let offset = (index as u64 * self.region_stride) as u32;
         if let Some(lists) = lists {
@@ -213,9 +230,8 @@ impl FrameResources {
                 if let Some(lists) = lists {
                     lists.make(&mut pass);
                 }
-                let reading = stars.map(StarLists::reading);
                 let drawn = (index, region, offset);
-                resources.draw(&mut pass, program, sky, reading, drawn);
+                resources.draw(&mut pass, program, &lights, disc, drawn);
             }
             (Drawing::Fragment(resources), ProgramKind::Fragment(pipeline)) => {
                 let mut timestamps = timestamps;
@@ -230,9 +246,9 @@ impl FrameResources {
                     offset,
                     first: index == 0,
                 };
-                let reading = stars.map(StarLists::reading);
+                lights.extend(disc);
                 let program = (label, pipeline);
-                resources.draw(encoder, program, sky, reading, drawn, timestamps);
+                resources.draw(encoder, program, &lights, drawn, timestamps);
             }
             _ => unreachable!("a renderer's programs and resources are of its kind of pass"),
         }

@@ -15,6 +15,8 @@ pub(super) const BAND_FORMAT: TextureFormat = TextureFormat::Rgba32Float;
 pub(super) struct Layouts {
     /// Group 1: the sky and its sampler.
     pub(super) sky: BindGroupLayout,
+    /// The group after the others: the disc.
+    pub(super) disc: BindGroupLayout,
     /// Group 0 of a fragment program.
     pub(super) fragment: BindGroupLayout,
     compute: Option<ComputeLayouts>,
@@ -49,6 +51,7 @@ impl Layouts {
         let stages = ShaderStages::FRAGMENT;
         Layouts {
             sky: bind_group_layout(device, "sky", drawing, &sky),
+            disc: bind_group_layout(device, "disc", drawing, &[uniform_binding(false)]),
             fragment: bind_group_layout(device, "picture in a render pass", stages, &fragment),
             compute: gpu.has_compute().then(|| ComputeLayouts::new(device)),
         }

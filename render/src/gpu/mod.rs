@@ -7,6 +7,7 @@ mod camera_key;
 mod compute;
 mod compute_pass;
 mod device;
+mod disc_block;
 mod failure;
 mod fragment_pass;
 mod frame_resources;

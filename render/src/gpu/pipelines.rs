@@ -89,6 +89,7 @@ impl Pipelines {
         }];
         groups.extend(key.reads_sky().then_some(&layouts.sky));
         groups.extend(key.stars.then(|| &layouts.compute().star_lists));
+        groups.extend(key.disc.then_some(&layouts.disc));
         let module = module(&self.device, key.name(), key.source());
         let kind = match key.pass {
             Pass::Compute => ProgramKind::Compute(ComputeProgram {

@@ -33,7 +33,8 @@ impl Prepared {
         let stars = scene.stars.as_ref();
         let stars = stars.filter(|_| renderer.draws_stars_through(lens));
         let shift = scene.rendition.shift;
-        let key = PipelineKey::of(lens, output, Store::Buffer, stars.is_some(), shift);
+        let key = PipelineKey::of(lens, output, Store::Buffer, stars.is_some(), shift)
+            .with_disc(scene.disc.is_some());
         let mut prepared = Prepared {
             program: renderer.program(key),
             sky: Some(scene.sky.clone()),
@@ -41,6 +42,9 @@ impl Prepared {
         };
         if let Some(stars) = stars {
             prepared.resources.show_stars(lens, stars, scene.rendition);
+        }
+        if let Some(disc) = scene.disc {
+            prepared.resources.show_disc(lens, disc, scene.rendition);
         }
         prepared
     }

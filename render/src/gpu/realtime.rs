@@ -146,7 +146,8 @@ impl RealtimeRenderer {
                 stars.is_some(),
                 motion,
                 scene.rendition.shift,
-            );
+            )
+            .with_disc(scene.disc.is_some());
             let program = self.renderer.program(key);
             for region in part.bands(dispatch_pixels(deflection)) {
                 regions.push(region);
@@ -161,6 +162,9 @@ impl RealtimeRenderer {
             .show(lens, sampling, scene.rendition, regions.into_iter(), gain);
         if let Some(stars) = stars {
             self.resources.show_stars(lens, stars, scene.rendition);
+        }
+        if let Some(disc) = scene.disc {
+            self.resources.show_disc(lens, disc, scene.rendition);
         }
         self.sky = Some(scene.sky.clone());
     }

@@ -67,6 +67,8 @@ pub struct PipelineKey {
     camera: CameraKey,
     /// What of the frequency shift is shown.
     shift: Shift,
+    /// Whether it draws a disc in front of the sky.
+    pub(super) disc: bool,
 }
 
 /// Names of the modules that depend on the key.
@@ -111,7 +113,21 @@ impl PipelineKey {
                 Output::Trace => Shift::Off,
                 Output::Picture(_) | Output::Difference => shift,
             },
+            disc: false,
         }
+    }
+
+    /// The same key with a disc or without. Only pictures show one.
+    pub fn with_disc(self, disc: bool) -> Self {
+        PipelineKey {
+            disc: disc && matches!(self.output, Output::Picture(_)),
+            ..self
+        }
+    }
+
+    /// The index of the bind group of the disc: the one after all others.
+    pub(super) fn disc_group(self) -> u32 {
+        if self.stars { 3 } else { 2 }
     }
 
     /// The key of a pipeline that computes `output` through `lens`.
@@ -175,6 +191,7 @@ impl PipelineKey {
     /// the fragments and that of the vertices.
     pub fn entry_points(self) -> &'static [&'static str] {
         match self.pass {
+            Pass::Compute if self.averages() && self.disc => &["one_tap", "one_ray", "disc_rays"],
             Pass::Compute if self.averages() => &["one_tap", "one_ray", "many_rays"],
             Pass::Compute => &["draw"],
             Pass::Fragment => &["draw", "corner"],
@@ -221,7 +238,9 @@ impl PipelineKey {
         modules.define(
             "pixel",
             alias_module(match self.output {
+                Output::Picture(sampling) if sampling.averages() && self.disc => "filtered_disc",
                 Output::Picture(sampling) if sampling.averages() => "filtered_pixel",
+                Output::Picture(_) if self.disc => "picture_disc",
                 Output::Picture(_) => "picture",
                 Output::Trace => "trace",
                 Output::Difference => "difference",
@@ -229,6 +248,7 @@ impl PipelineKey {
         );
         stars::define(&mut modules);
         modules.assemble(&[match self.pass {
+            Pass::Compute if self.averages() && self.disc => "compute_disc",
             Pass::Compute if self.averages() => "compute_tiles",
             Pass::Compute => "compute",
             Pass::Fragment => "fragment",
@@ -237,7 +257,46 @@ impl PipelineKey {
 
     /// The WGSL source that classifies tiles.
     pub(super) fn classifier_source(self) -> String {
-        self.modules().assemble(&["classify_tiles"])
+        self.modules().assemble(&[if self.disc {
+            "classify_disc"
+        } else {
+            "classify_tiles"
+        }])
+    }
+
+    /// The entry point that classifies tiles.
+    pub(super) fn classifier_entry_point(self) -> &'static str {
+        if self.disc {
+            "classify_disc_tiles"
+        } else {
+            "classify_tiles"
+        }
+    }
+
+    /// Defines the modules that a disc needs.
+    fn define_disc(self, modules: &mut Modules) {
+        let group = self.disc_group();
+        modules.define(
+            "disc",
+            format!(
+                "// #import disc_block\n@group({group}) @binding(0) var<uniform> disc: Disc;\n"
+            ),
+        );
+        modules.define(
+            "disc_orbit",
+            alias_module(match self.deflection {
+                DeflectionKey::Lut | DeflectionKey::Direct { .. } => "disc_bent",
+                DeflectionKey::Flat => "disc_flat",
+            }),
+        );
+        modules.define(
+            "keep_behind",
+            alias_module(if self.stars {
+                "keep_behind_stars"
+            } else {
+                "keep_behind_sky"
+            }),
+        );
     }
 
     fn modules(self) -> Modules {
@@ -248,6 +307,9 @@ impl PipelineKey {
         define_shift(&mut modules, self.shift);
         modules.define("step", format!("const STEP: f32 = {:?};\n", self.step()));
         modules.define(DEFLECT, self.deflect());
+        if self.disc {
+            self.define_disc(&mut modules);
+        }
         modules
     }
 

@@ -26,6 +26,9 @@ const OBSERVERS: [(HorizonSide, CameraKey, Shift); 5] = {
     ]
 };
 
+/// Checksum of all shaders without a disc.
+const WITHOUT_DISCS: u32 = 3_190_481_217;
+
 /// Keys of every kind.
 pub(in crate::gpu) fn keys() -> Vec<PipelineKey> {
     let deflections = [
@@ -81,6 +84,42 @@ fn every_shader_is_valid() {
             );
         }
     }
+}
+
+#[test]
+fn every_shader_with_a_disc_is_valid() {
+    let keys = keys().into_iter().filter(|key| key.with_disc(true).disc);
+    let mut count = 0;
+    for key in keys.map(|key| key.with_disc(true)) {
+        match key.classifier() {
+            // The modules that the tiles share with pictures without a disc have its entry points, too.
+            Some(classifier) => {
+                let entry_points = ["disc_rays", "one_tap", "one_ray", "many_rays"];
+                validate(&key.source(), &entry_points);
+                let entry_points = ["classify_disc_tiles", "classify_tiles", "close_queues"];
+                validate(&classifier.classifier_source(), &entry_points);
+            }
+            None => validate(&key.source(), key.entry_points()),
+        }
+        count += 1;
+    }
+    assert_eq!(count, 720);
+}
+
+/// A scene without a disc pays nothing for those that have one: not a byte of its shaders.
+#[test]
+fn without_a_disc_no_shader_has_a_part_of_it() {
+    let mut checksum = crc32fast::Hasher::new();
+    for key in keys() {
+        let mut sources = vec![key.source()];
+        sources.extend(key.classifier().map(PipelineKey::classifier_source));
+        for source in sources {
+            assert!(!source.contains("struct Disc"));
+            checksum.update(source.as_bytes());
+        }
+    }
+    // The shaders as they were before there were discs. A change of shaders that is meant changes it, too.
+    assert_eq!(checksum.finalize(), WITHOUT_DISCS);
 }
 
 #[test]

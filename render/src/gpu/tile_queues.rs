@@ -43,10 +43,11 @@ pub(super) struct PassInputs<'a> {
 impl TileClassifier {
     pub(super) fn new(device: &Device, layouts: &Layouts, key: PipelineKey) -> Self {
         let module = compute::module(device, "classify_tiles", key.classifier_source());
-        let groups = [&layouts.compute().classify, &layouts.sky];
+        let mut groups = vec![&layouts.compute().classify, &layouts.sky];
+        groups.extend(key.disc.then_some(&layouts.disc));
         let pipeline = |entry_point| compute::pipeline(device, entry_point, &groups, &module);
         TileClassifier {
-            classify: pipeline("classify_tiles"),
+            classify: pipeline(key.classifier_entry_point()),
             close: pipeline("close_queues"),
         }
     }
@@ -104,17 +105,20 @@ impl WorkQueues {
         encoder.clear_buffer(&self.queues, offset, Some(region_bytes()));
     }
 
-    /// Encodes the classification of `region`, whose uniform block is at `offset`, in front of `sky`.
+    /// Encodes the classification of `region`, whose uniform block is at `offset`, in front of `sky` and behind `disc`.
     pub(super) fn classify(
         &self,
         pass: &mut ComputePass,
         classifier: &TileClassifier,
-        sky: &BindGroup,
+        (sky, disc): (&BindGroup, Option<&BindGroup>),
         region: Region,
         offset: u32,
     ) {
         pass.set_bind_group(0, &self.group, &[offset]);
         pass.set_bind_group(1, sky, &[]);
+        if let Some(disc) = disc {
+            pass.set_bind_group(2, disc, &[]);
+        }
         pass.set_pipeline(&classifier.classify);
         pass.dispatch_workgroups(tiles_of(&region).div_ceil(CLASSIFIED), 1, 1);
         pass.set_pipeline(&classifier.close);
