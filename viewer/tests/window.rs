@@ -307,7 +307,8 @@ fn the_disc_is_shown_by_its_key_and_in_the_panel() {
     window.press(&["b"]);
     window.shows("no disc", |shot| *shot == start);
 
-    let beside_panel = |shot: &Shot| shot.part(360..640, 0..300);
+    // Right of the panel and its shadow.
+    let beside_panel = |shot: &Shot| shot.part(400..640, 0..300);
     window.press(&["Tab"]);
     window.at_rest();
     window.click(BOX.0, BOX.1);

@@ -255,6 +255,10 @@ const checks = {
             return pixels(browser, await readBack(page));
         };
         const start = await shown();
+        const webgl = await opened('&radius=15&disc=4,10&inclination=70&backend=webgl');
+        await settled(webgl);
+        assert.ok(difference(start, await pixels(browser, await readBack(webgl))).mean < 0.1);
+        await webgl.context().close();
         await page.keyboard.press('b');
         assert.equal(await get(page, 'disc'), 'off');
         assert.equal(await page.locator('#disc-inner').isVisible(), false);
