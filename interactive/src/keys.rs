@@ -41,6 +41,8 @@ pub enum Change {
     FasterClock,
     /// The next orbit speed; in orbit, whether the camera moves by the true period.
     NextOrbitSpeed,
+    /// Disc on or off.
+    ToggleDisc,
     /// The next kind of frequency shift.
     NextShift,
     /// Automatic exposure on or off.
@@ -103,13 +105,14 @@ pub enum KeyAction {
 
 impl Change {
     /// All changes.
-    pub const ALL: [Change; 18] = [
+    pub const ALL: [Change; 19] = [
         Change::NextMotion,
         Change::LetGo,
         Change::BackToLetGo,
         Change::SlowerClock,
         Change::FasterClock,
         Change::NextOrbitSpeed,
+        Change::ToggleDisc,
         Change::NextShift,
         Change::ToggleAutoExposure,
         Change::ToggleDeflection,
@@ -214,6 +217,11 @@ pub const BINDINGS: &[Binding] = &[
         &[pressed(Code::KeyZ, Command::NextSky)],
         "Z",
         "next sky: nebula, starmap, grid, stars",
+    ),
+    binding(
+        &[changes(Code::KeyB, Change::ToggleDisc)],
+        "B",
+        "disc of matter around the hole, on or off",
     ),
     binding(
         &[

@@ -6,6 +6,7 @@
 //! Movement by keys and pointer ([`motion`]), by itself (`travel`: the fall and the orbit by proper time) and along a path
 //! ([`recording`]) depends on elapsed time, not on the frame rate.
 
+pub mod disc_choice;
 pub mod fall;
 pub mod frame_clock;
 mod held_keys;

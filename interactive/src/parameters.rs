@@ -1,6 +1,8 @@
 //! The settings as texts with names, as the address of a web page holds them and as a panel reads and sets them. The
 //! names are those of the options of `viewer render`, where there is such an option.
 
+mod disc;
+
 use crate::motion;
 use crate::motion::{CLOCK_RATES, ORBIT_SPEEDS};
 use crate::resolution::Resolution;
@@ -8,6 +10,7 @@ use crate::settings::{Comparison, SHIFTS, Settings};
 use lensbake_core::Motion;
 use lensbake_render::lens::Deflection;
 use lensbake_render::scene::Sampling;
+use lensbake_render::shift::Shift;
 use thiserror::Error;
 
 /// A setting with a name.
@@ -78,6 +81,10 @@ fn text_of<T: PartialEq>(choices: &[(&str, T)], value: T) -> String {
         .unwrap_or_default()
 }
 
+fn shift_of(text: &str) -> Option<Shift> {
+    SHIFTS.into_iter().find(|shift| shift.name() == text)
+}
+
 fn index_of(values: &[f64], text: &str) -> Option<usize> {
     let value: f64 = text.parse().ok()?;
     values.iter().position(|one| *one == value)
@@ -122,7 +129,7 @@ macro_rules! choice {
 }
 
 /// All parameters, in the order in which an address lists them.
-pub const PARAMETERS: [Parameter; 22] = [
+pub const PARAMETERS: [Parameter; 29] = [
     number!("radius", "a number of Schwarzschild radii", view.radius),
     Parameter {
         name: "motion",
@@ -151,12 +158,31 @@ pub const PARAMETERS: [Parameter; 22] = [
         name: "shift",
         expects: "off, brightness or colour",
         get: |settings| settings.shift.name().to_owned(),
-        set: |settings, text| {
-            let shift = SHIFTS.into_iter().find(|shift| shift.name() == text)?;
-            settings.shift = shift;
-            Some(())
-        },
+        set: |settings, text| shift_of(text).map(|shift| settings.shift = shift),
     },
+    disc::RADII,
+    number!(
+        "inclination",
+        "an angle in degrees",
+        disc.orientation.inclination_deg
+    ),
+    number!("node", "an angle in degrees", disc.orientation.node_deg),
+    number!(
+        "disc-opacity",
+        "a share of the light from 0 to 1",
+        disc.opacity
+    ),
+    number!(
+        "disc-temperature",
+        "a number of kelvins from 1000 to 40000",
+        disc.peak_kelvin
+    ),
+    number!(
+        "disc-brightness",
+        "a factor from 0 to 10000",
+        disc.brightness
+    ),
+    disc::SHIFT,
     number!("exposure", "a number of stops from -8 to 8", exposure),
     choice!("auto-exposure", "on or off", SWITCH, auto_exposure),
     Parameter {
@@ -293,6 +319,11 @@ mod tests {
             view.heading_deg = motion::wrapped(numbers[4]);
             settings.gain = numbers[5] as f32;
             settings.exposure = numbers[6] as f32;
+            settings.disc.orientation.inclination_deg = numbers[7];
+            [settings.disc.opacity, settings.disc.brightness] = [numbers[8], numbers[9]];
+            if settings.disc_shown {
+                [settings.disc.inner, settings.disc.outer] = [numbers[10], numbers[11]];
+            }
             settings
         })
     }

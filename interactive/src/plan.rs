@@ -2,6 +2,7 @@
 
 use crate::settings::Settings;
 use lensbake_render::camera::{Camera, CameraError, View};
+use lensbake_render::disc::Disc;
 use lensbake_render::gpu::{FrameContent, Presentation};
 use lensbake_render::lens::{Lens, LensError};
 use lensbake_render::scene::Sampling;
@@ -18,6 +19,8 @@ pub struct Plan {
     pub sampling: Sampling,
     /// How the light of the sky becomes light of the picture.
     pub rendition: Rendition,
+    /// The disc around the hole, if any.
+    pub disc: Option<Disc>,
     /// What the frame shows: one method, a split view, or a difference.
     pub show: FrameContent,
     /// The camera at the resolution of the window.
@@ -64,6 +67,7 @@ impl Plan {
             presentation: settings.presentation(window[0], &lens),
             sampling: settings.sampling,
             rendition: settings.rendition(&lens),
+            disc: settings.shown_disc(),
             lens,
         })
     }

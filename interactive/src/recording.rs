@@ -309,6 +309,7 @@ mod tests {
         recording.set_keyframe(&settings(5.0, -150.0)).unwrap();
         assert_eq!(recording.summary(), "2 keyframes, 3.0 s");
         recording.play_or_stop();
+        shown.disc_shown = true;
         assert_eq!(recording.advance(&mut shown, 1.5), None);
         assert!((shown.view.radius - 20.0).abs() < 1e-9 && shown.view.orbit_deg == 170.0);
         assert_eq!(recording.advance(&mut shown, 1.5), None);
@@ -322,6 +323,8 @@ mod tests {
         let said = recording.advance(&mut shown, 1.5).unwrap();
         assert!(said.contains("J plays it again"), "{said}");
         assert!((shown.view.radius - 5.0).abs() < 1e-9 && !recording.plays());
+        // Nothing of the disc is in a path.
+        assert!(shown.disc_shown);
         recording.take_back();
         recording.take_back();
         assert!(recording.take_back().contains("K sets one"));

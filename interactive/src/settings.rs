@@ -6,6 +6,7 @@ use crate::motion::{self, ORBIT_SPEEDS, USUAL_CLOCK_RATE};
 use crate::resolution::Resolution;
 use lensbake_core::Motion;
 use lensbake_render::camera::View;
+use lensbake_render::disc::Disc;
 use lensbake_render::exposure;
 use lensbake_render::gpu::{EdgeMode, FrameContent, Presentation};
 use lensbake_render::lens::{Deflection, Lens};
@@ -81,8 +82,12 @@ pub struct Settings {
     pub gain: f32,
     /// Exposure of the picture, stops.
     pub exposure: f32,
-    /// What of the frequency shift is shown.
+    /// What of the frequency shift of the sky is shown.
     pub shift: Shift,
+    /// Whether the disc is shown.
+    pub disc_shown: bool,
+    /// The disc, which keeps its values while it is not shown.
+    pub disc: Disc,
     /// Whether the exposure makes up for the brightness of the frequency shift.
     pub auto_exposure: bool,
     /// Resolution of the picture relative to the window.
@@ -137,6 +142,8 @@ impl Settings {
             gain: 256.0,
             exposure: 0.0,
             shift: Shift::Off,
+            disc_shown: false,
+            disc: Disc::default(),
             auto_exposure: true,
             resolution: Resolution::Full,
             target_ms: 1000.0 / 60.0,
@@ -146,9 +153,9 @@ impl Settings {
     }
 
     /// One function for each part on which it depends whether the settings can be drawn. It copies the part from the
-    /// second settings to the first, so that a change can be kept in part. The last one is for a radius and a motion that
-    /// are possible only together.
-    pub const PARTS: [fn(&mut Settings, &Settings); 14] = [
+    /// second settings to the first, so that a change can be kept in part. The last two are for numbers that are possible
+    /// only together: the radii of a disc, and a radius and a motion.
+    pub const PARTS: [fn(&mut Settings, &Settings); 22] = [
         |to, from| to.view.radius = from.view.radius,
         |to, from| to.view.fov_deg = from.view.fov_deg,
         |to, from| to.view.yaw_deg = from.view.yaw_deg,
@@ -162,10 +169,18 @@ impl Settings {
         |to, from| to.target_ms = from.target_ms,
         |to, from| to.view.heading_deg = from.view.heading_deg,
         |to, from| to.view.motion = from.view.motion,
+        |to, from| to.disc.inner = from.disc.inner,
+        |to, from| to.disc.outer = from.disc.outer,
+        |to, from| to.disc.orientation.inclination_deg = from.disc.orientation.inclination_deg,
+        |to, from| to.disc.orientation.node_deg = from.disc.orientation.node_deg,
+        |to, from| to.disc.opacity = from.disc.opacity,
+        |to, from| to.disc.peak_kelvin = from.disc.peak_kelvin,
+        |to, from| to.disc.brightness = from.disc.brightness,
+        |to, from| (to.disc.inner, to.disc.outer) = (from.disc.inner, from.disc.outer),
         |to, from| (to.view.radius, to.view.motion) = (from.view.radius, from.view.motion),
     ];
 
-    /// Checks the numbers that do not belong to the camera.
+    /// Checks the numbers that belong neither to the camera nor to the disc.
     ///
     /// # Errors
     /// [`OutOfRange`] for the first number that is not in its range.
@@ -228,6 +243,8 @@ impl Settings {
     /// How the picture of `lens` is shown in a window that is `width` pixels wide.
     pub fn presentation(&self, width: u32, lens: &Lens) -> Presentation {
         let edge = match (self.show(width), lens.deflection) {
+            // A disc covers a part of the shadow.
+            _ if self.disc_shown => EdgeMode::AsDrawn,
             // Direct integration draws its own shadow boundary, which is shown as it is.
             (FrameContent::Picture, Deflection::Lut | Deflection::Flat) => {
                 EdgeMode::Redrawn(Shadow::of(lens))
@@ -255,6 +272,7 @@ impl Settings {
             Change::SlowerClock => self.change_clock_rate(-1),
             Change::FasterClock => self.change_clock_rate(1),
             Change::NextOrbitSpeed => self.next_orbit_speed(),
+            Change::ToggleDisc => self.disc_shown ^= true,
             Change::NextShift => self.shift = next(&SHIFTS, self.shift),
             Change::ToggleAutoExposure => self.auto_exposure ^= true,
             Change::ToggleDeflection => self.deflection ^= true,

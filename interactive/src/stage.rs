@@ -252,7 +252,7 @@ impl Stage {
             sky: self.sky.clone(),
             stars: self.stars.clone(),
             rendition: plan.rendition,
-            disc: None,
+            disc: plan.disc,
         };
         self.realtime.show(&scene, plan.show);
         self.stopwatch.submit(&self.gpu, &self.realtime)

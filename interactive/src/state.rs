@@ -10,6 +10,7 @@ use crate::settings::{OutOfRange, Settings};
 use crate::title;
 use lensbake_core::Motion;
 use lensbake_render::camera::CameraError;
+use lensbake_render::disc::DiscError;
 use lensbake_render::lens::LensError;
 use lensbake_tables::{Rows, Table, TableError};
 use std::fmt;
@@ -41,6 +42,9 @@ pub enum Refusal {
     /// A setting is out of range.
     #[error(transparent)]
     Number(#[from] OutOfRange),
+    /// The disc is not valid.
+    #[error("the disc: {0}")]
+    Disc(#[from] DiscError),
     /// The view is not a valid camera.
     #[error(transparent)]
     View(#[from] CameraError),
@@ -105,6 +109,8 @@ impl NamedTable {
 
     fn draws(&self, settings: &Settings) -> Result<Plan, Refusal> {
         settings.check()?;
+        // Also while it is not shown: then a key can always show it.
+        settings.disc.check()?;
         self.plan(settings, [1, 1], 1.0)
     }
 

@@ -292,6 +292,41 @@ fn observers_in_motion_are_shown_as_the_headless_program_draws_them() {
 
 #[test]
 #[cfg_attr(any(feature = "no-gpu", feature = "no-window"), ignore)]
+fn the_disc_is_shown_by_its_key_and_in_the_panel() {
+    /// The middle of its box in the panel, pixels of the window.
+    const BOX: (u32, u32) = (105, 224);
+    let folder = tempfile::tempdir().unwrap();
+    let desktop = Desktop::new(1280, 800);
+    let args = ["--radius", "15", "-s", "grid"];
+    let (mut window, start) = open(&desktop, folder.path(), &args);
+    window.press(&["b"]);
+    window.shows("a disc in front of the shadow", |shot| {
+        4 * black(shot).2 < 3 * black(&start).2
+    });
+    let disc = window.at_rest();
+    window.press(&["b"]);
+    window.shows("no disc", |shot| *shot == start);
+
+    // Right of the panel and its shadow.
+    let beside_panel = |shot: &Shot| shot.part(400..640, 0..300);
+    window.press(&["Tab"]);
+    window.at_rest();
+    window.click(BOX.0, BOX.1);
+    window.shows("the disc again", |shot| {
+        beside_panel(shot) == beside_panel(&disc)
+    });
+    // It is fixed in the sky: the camera sees another side of it.
+    window.press(&["Tab"]);
+    window.shows("the disc without the panel", |shot| *shot == disc);
+    window.hold("Right", Duration::from_millis(300));
+    assert!(!alike(&window.at_rest(), &disc));
+    // Home hides it, as at the start.
+    window.press(&["Home"]);
+    window.shows("the start", |shot| alike(shot, &start));
+}
+
+#[test]
+#[cfg_attr(any(feature = "no-gpu", feature = "no-window"), ignore)]
 fn methods_are_compared_at_any_resolution_and_shots_are_taken() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();

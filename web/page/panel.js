@@ -1,5 +1,8 @@
 // The panel: a form whose controls are named after the settings that they show and set.
 
+import { DiscRows } from './disc.js';
+import { along, partOf, rangeOf } from './slider.js';
+
 /** Shortest time between two updates while the view moves, ms. */
 const UPDATE_MS = 100;
 const SMALL = '(max-width: 600px), (max-height: 480px)';
@@ -15,6 +18,7 @@ export class Panel {
         this.timer = 0;
         this.radii = [1, 2];
         this.find = (id) => form.querySelector(`#${id}`);
+        this.disc = new DiscRows(form, (text) => this.set('disc', text));
         form.addEventListener('submit', (event) => event.preventDefault());
         form.addEventListener('input', (event) => this.input(event.target));
         form.addEventListener('change', (event) => this.change(event.target));
@@ -51,10 +55,11 @@ export class Panel {
 
     /** Controls that take effect while they are moved. */
     input(control) {
+        const { setting, log } = control.dataset;
         if (control.id === 'radius') {
-            this.set('radius', this.radiusAt(Number(control.value)));
-        } else if (control.type === 'range') {
-            this.set(control.dataset.setting, control.value);
+            this.set('radius', along(this.radii, control.value));
+        } else if (control.type === 'range' && setting !== undefined) {
+            this.set(setting, log === undefined ? control.value : along(rangeOf(control), control.value));
         }
     }
 
@@ -76,13 +81,6 @@ export class Panel {
             this.say(error.message);
             this.refresh();
         }
-    }
-
-    /** The radius at a part of the slider, which is logarithmic, with four digits. */
-    radiusAt(part) {
-        const [least, most] = this.radii;
-        const radius = least * (most / least) ** part;
-        return Math.min(Math.max(Number(radius.toPrecision(4)), least), most);
     }
 
     /** Shows the settings after a frame, but not at every frame while the view moves. */
@@ -135,7 +133,10 @@ export class Panel {
         for (const control of this.form.querySelectorAll('[data-setting]')) {
             const value = all[control.dataset.setting];
             if (control.type === 'checkbox') {
-                control.checked = value === 'on';
+                control.checked = value !== 'off';
+            } else if (control.dataset.log !== undefined) {
+                control.value = partOf(rangeOf(control), value);
+                control.setAttribute('aria-valuetext', value);
             } else if (value !== undefined && control !== document.activeElement) {
                 control.value = value;
             } else if (control.matches('select')) {
@@ -145,8 +146,7 @@ export class Panel {
         this.radii = now.radii;
         const radius = this.find('radius');
         radius.disabled = now.heldRadius !== null && now.heldRadius !== undefined;
-        const [least, most] = now.radii;
-        radius.value = Math.log(now.values.radius / least) / Math.log(most / least);
+        radius.value = partOf(now.radii, now.values.radius);
         radius.setAttribute('aria-valuetext', `${now.radius} Schwarzschild radii`);
         for (const field of this.form.querySelectorAll('[data-number]')) {
             if (field !== document.activeElement) {
@@ -158,6 +158,7 @@ export class Panel {
             const value = Number(all[output.dataset.value]);
             output.textContent = `${Number(value.toFixed(1))}${output.dataset.unit ?? '°'}`;
         }
+        this.disc.show(now.disc);
         const stars = this.find('stars');
         stars.disabled = !this.view.drawsStars;
         stars.title = this.view.drawsStars ? '' : 'Stars as points need WebGPU, which this browser does not offer here.';

@@ -1,6 +1,7 @@
 //! What the panel shows, as JSON for the page.
 
 use lensbake_core::Motion;
+use lensbake_interactive::disc_choice;
 use lensbake_interactive::motion::radii;
 use lensbake_interactive::motion_choice::{name, problem};
 use lensbake_interactive::motion_facts::{facts, let_go_name, region, way_back_name};
@@ -33,6 +34,7 @@ pub fn json(settings: &Settings, info: Option<&PanelInfo>) -> Value {
         "region": region(settings.view.radius),
         "motions": motions,
         "heads": matches!(settings.view.motion, Motion::Orbit | Motion::Velocity { .. }),
+        "disc": settings.disc_shown.then(|| disc(settings)),
         "letGo": let_go_name(settings),
         "back": way_back_name(settings),
         "facts": facts(settings),
@@ -47,6 +49,18 @@ pub fn json(settings: &Settings, info: Option<&PanelInfo>) -> Value {
         panel["costs"] = json!(costs(info));
     }
     panel
+}
+
+/// What the panel shows of the disc: its radii and where their sliders stop, and how it is seen.
+fn disc(settings: &Settings) -> Value {
+    let disc = &settings.disc;
+    let stops = disc_choice::radii(disc).map(|range| [*range.start(), *range.end()]);
+    json!({
+        "radii": [disc.inner, disc.outer],
+        "stops": stops,
+        "seenFrom": disc_choice::seen_from(&disc.orientation),
+        "seenHere": disc_choice::seen_here(settings),
+    })
 }
 
 /// The costs and error bounds of the picture: names and values.

@@ -247,6 +247,54 @@ const checks = {
         return page;
     },
 
+    /** The disc of an address is drawn; key and panel hide it, show it and change it. */
+    async 'disc'() {
+        const page = await opened('&radius=15&disc=4,10&inclination=70');
+        const shown = async () => {
+            await settled(page);
+            return pixels(browser, await readBack(page));
+        };
+        const start = await shown();
+        await page.keyboard.press('b');
+        assert.equal(await get(page, 'disc'), 'off');
+        assert.equal(await page.locator('#disc-inner').isVisible(), false);
+        const without = await shown();
+        assert.ok(difference(start, without).mean > 2);
+        await page.locator('#disc').check();
+        assert.equal(await get(page, 'disc'), '4,10');
+        assert.equal(difference(start, await shown()).max, 0);
+        // A slider stops before the other radius, and a number beyond it is refused.
+        await page.locator('#disc-inner').fill('1');
+        assert.equal(await get(page, 'disc'), '9.9,10');
+        const outer = page.locator('#disc-outer-number');
+        await outer.fill('2');
+        await outer.press('Enter');
+        await until(page, () => document.getElementById('message').textContent.includes('the outer radius 2'));
+        await outer.fill('30');
+        await outer.press('Enter');
+        assert.equal(await get(page, 'disc'), '9.9,30');
+        assert.match(await page.locator('#disc-seen-here').textContent(), /inclined by 70/);
+        await page.locator('#disc-temperature').fill('0');
+        await page.locator('#disc-shift').selectOption('off');
+        await until(page, () => location.search.includes('disc=9.9,30&inclination=70&disc-temperature=1000&disc-shift=off'));
+        assert.ok(difference(start, await shown()).mean > 2);
+        return page;
+    },
+
+    /** WebGL 2 draws the disc as WebGPU does. */
+    async 'disc, WebGL 2'() {
+        const shown = async (backend) => {
+            const page = await opened(`&radius=15&disc=4,10&inclination=70&backend=${backend}`);
+            await settled(page);
+            return [page, await pixels(browser, await readBack(page))];
+        };
+        const [webgpu, expected] = await shown('webgpu');
+        await webgpu.context().close();
+        const [page, found] = await shown('webgl');
+        assert.ok(difference(expected, found).mean < 0.1);
+        return page;
+    },
+
     /** Each control has a name for a screen reader, and the canvas says what it shows. */
     async 'labels'() {
         const page = await opened('&radius=5');
@@ -301,6 +349,13 @@ const checks = {
         await page.goto(`${server.url}?sky=grid&backend=webgp`);
         await ready(page);
         assert.match(await message(page), /backend is 'webgp', but must be auto, webgpu, webgl/);
+        await page.goto(`${server.url}?sky=grid&disc=2,12&inclination=60`);
+        await ready(page);
+        await until(page, () => document.getElementById('message').textContent.includes('the inner radius 2 is below 3'));
+        assert.deepEqual([await get(page, 'disc'), await get(page, 'inclination')], ['3,12', '60']);
+        await page.goto(`${server.url}?sky=grid&disc=3`);
+        await ready(page);
+        assert.match(await message(page), /disc is '3', but must be off, on, or its inner and outer radius/);
         return page;
     },
 

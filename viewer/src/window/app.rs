@@ -25,7 +25,7 @@ pub struct Options {
     pub view: View,
     /// Step of the direct integrator, rad.
     pub step: f64,
-    /// What of the frequency shift is shown.
+    /// What of the frequency shift of the sky is shown.
     pub shift: Shift,
     /// Source of the sky.
     pub sky: SkySource,
@@ -56,6 +56,8 @@ pub fn run(options: Options) -> Result<(), WindowError> {
     Camera::new(&options.view).map_err(Refusal::View)?;
     let settings = Settings {
         shift: options.shift,
+        disc_shown: options.disc.is_some(),
+        disc: options.disc.unwrap_or_default(),
         ..Settings::new(options.view, options.step)
     };
     let table = NamedTable::new(options.table, options.table_name);

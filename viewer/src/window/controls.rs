@@ -1,7 +1,7 @@
 //! Contents of the panel and the help, laid out by egui.
 
-use super::motion_controls;
 use super::typed::typed;
+use super::{disc_controls, motion_controls};
 use egui::{
     Align2, ComboBox, Context, Grid, Id, Label, RichText, ScrollArea, Slider, Ui, Vec2, Window,
     vec2,
@@ -135,6 +135,7 @@ fn choices(ui: &mut Ui, settings: &mut Settings, facts: &PanelInfo) -> Option<us
         .on_hover_text(&names[*shown]);
     ui.end_row();
 
+    disc_controls::disc(ui, settings);
     light(ui, settings);
 
     ui.label("deflection");
@@ -313,6 +314,7 @@ mod tests {
             let mut settings = Settings::new(view, 0.05);
             settings.help = true;
             settings.shift = Shift::Colour;
+            settings.disc_shown = true;
             settings.given_velocity = Some(velocity);
             if motion == Motion::Fall {
                 settings.let_go();

@@ -6,6 +6,7 @@
 
 mod app;
 mod controls;
+mod disc_controls;
 mod error;
 mod event;
 mod files;

@@ -11,6 +11,7 @@ use lensbake_interactive::panel_info::PanelInfo;
 use lensbake_interactive::settings::Settings;
 use lensbake_interactive::state::{NamedTable, State};
 use lensbake_render::camera::{MAX_RADIUS, View};
+use lensbake_render::disc::{Disc, Orientation};
 use lensbake_tables::{Axis, Header, Measured, Rows, Solver, Table, default_atlas};
 use lensbake_test_support::{coarse_atlas, one_row};
 use proptest::prelude::*;
@@ -174,6 +175,19 @@ fn all_numbers(settings: &Settings, x: f64) -> Settings {
         gain: x as f32,
         exposure: x as f32,
         target_ms: x,
+        disc: Disc {
+            inner: x,
+            outer: 2.0 * x,
+            orientation: Orientation {
+                inclination_deg: x,
+                node_deg: x,
+                ..settings.disc.orientation
+            },
+            opacity: x,
+            peak_kelvin: x,
+            brightness: x,
+            ..settings.disc
+        },
         ..settings.clone()
     }
 }
@@ -353,6 +367,14 @@ fn what_cannot_be_drawn_is_named() {
         (10, f64::NAN, "frame time NaN"),
         (11, f64::NAN, "heading NaN"),
         (12, 0.9, "a speed of 1.27"),
+        (13, 2.9, "the disc: the inner radius 2.9 is below 3"),
+        (13, 12.0, "the disc: the outer radius 12 is not above"),
+        (14, f64::INFINITY, "the disc: the outer radius inf"),
+        (15, f64::NAN, "the disc: inclination NaN"),
+        (16, f64::NAN, "the disc: node NaN"),
+        (17, 1.5, "the disc: opacity 1.5"),
+        (18, 0.0, "the disc: temperature 0"),
+        (19, -1.0, "the disc: brightness -1"),
     ] {
         let before = state.settings.clone();
         act(&mut state, &UserInput::Type(part, x));
