@@ -32,12 +32,12 @@ fn uncertainty(speed_sq: f32, slack: f32, u: f32) -> f32 {
     return select(0.0, sqrt(2.0 * slack) / u, abs(speed_sq) < slack);
 }
 
-// Whether a tile may show the disc. The heights at the ends of its legs are bounded over a patch half as large again.
+// Whether a tile may show the disc. The heights at the ends of its legs are bounded over a patch of twice its size.
 fn may_show_disc(corner: vec2<f32>) -> bool {
     let at = corner + 0.5 * f32(TILE) - 0.5 * vec2<f32>(camera.size);
-    let seen = patch_at(at, 1.5 * f32(TILE));
+    let seen = patch_at(at, 2.0 * f32(TILE));
     let middle = inv_b_sq_of(seen);
-    let slack = 0.75 * abs(middle.slope) * gradient(seen);
+    let slack = 0.6 * abs(middle.slope) * gradient(seen);
     // A tile of which only a part comes near enough to the hole counts as if its middle just did.
     let missing = disc.outer_least - middle.value;
     let orbit = orbit_of(seen, select(0.0, missing * 1.00001, missing > 0.0 && missing < slack));
@@ -53,11 +53,18 @@ fn may_show_disc(corner: vec2<f32>) -> bool {
 fn may_meet_disc(seen: Patch, orbit: Orbit, slack: f32) -> bool {
     let ray = leaving(deflect_patch(seen.c, seen.p));
     let other = opposite(seen);
-    let near = near_end(orbit, ray, other);
+    var near = orbit.inner;
+    if !orbit.reaches_inner {
+        near = at_periapsis(ray, other);
+    }
     let uncertain = vec2(
         uncertainty(orbit.inv_b_sq.value - disc.outer_least, slack, disc.outer_u),
         uncertainty(orbit.inv_b_sq.value - disc.inner_least, slack, disc.inner_u),
     );
+    // Heights repeat after a turn: a bound as wide as half of one is none.
+    if max(uncertain.x, uncertain.y) > 0.5 * HALF_TURN {
+        return true;
+    }
     return (has_inward_leg(orbit) && may_cross(inward_leg(seen, orbit, near, other), seen, uncertain))
         || (has_outward_leg(orbit) && may_cross(outward_leg(seen, orbit, near, ray), seen, uncertain));
 }

@@ -142,15 +142,6 @@ fn has_outward_leg(orbit: Orbit) -> bool {
     return orbit.reaches_outer && (orbit.inwards || camera.inverse_radius > disc.outer_u);
 }
 
-// The end of the legs near the hole: the inner rim, or the periapsis of a ray that does not reach it.
-fn near_end(orbit: Orbit, ray: Leaving, other: Leaving) -> End {
-    var near = orbit.inner;
-    for (var turns = !orbit.reaches_inner; turns; turns = false) {
-        near = at_periapsis(ray, other);
-    }
-    return near;
-}
-
 // The leg before the periapsis.
 fn inward_leg(seen: Patch, orbit: Orbit, near: End, other: Leaving) -> Leg {
     var far = orbit.outer;

@@ -4,73 +4,61 @@
 // #import keep_behind
 // #import region
 
-// The mean light of the sky over a patch.
-fn sky_of(outside: Patch, deflected: Deflected, most_taps: f32) -> vec4<f32> {
-    let light = average(print_of(outside, deflected), most_taps);
-    return vec4(seen_light(light, outside.d), 1.0);
+// A part of a pixel that sees the sky or the disc beyond the periapsis of its rays, and its share of its patch.
+struct Outside {
+    seen: Patch,
+    covered: f32,
 }
 
-// The light of the pixel `id` of the region.
+// The part of patch `i` of the pixel at `at`, of along × along patches, outside the shadow.
+fn outside_of(i: u32, along: u32, at: vec2<f32>) -> Outside {
+    let side = 1.0 / f32(along);
+    let offset = (vec2(f32(i % along), f32(i / along)) + 0.5) * side - 0.5;
+    let square = patch_at(at + offset, side);
+    let px = gradient(square);
+    let part = sky_part(shadow_distance(square.c, square.p, half_shadow()), px, half_shadow());
+    return Outside(moved(square, part.shift * px, part.extent), part.covered);
+}
+
+// The light of the pixel `id` of the region. Beside the shadow's edge it is that of 3 × 3 patches; what is before the periapsis
+// changes little within a pixel, also across the edge.
 fn disc_pixel(id: vec2<u32>) -> vec4<f32> {
     let at = from_middle(region.first + id);
     let whole = patch_at(at, 1.0);
-    let rays = rays_of(whole);
-    var sum = NO_VEIL;
-    // In the shadow, or away from its edge.
-    for (var one = rays.along != SUB_RAYS; one; one = false) {
-        let deflected = deflect_patch(whole.c, whole.p);
-        sum = veil_of(whole, deflected);
-        for (var sky = sum.through > 0.0 && deflected.outcome == ESCAPES; sky; sky = false) {
-            sum.light += sum.through * sky_of(whole, deflected, rays.most_taps);
-        }
-    }
-    for (var several = rays.along == SUB_RAYS; several; several = false) {
-        sum = light_beside_edge(whole, at, rays.most_taps);
-    }
-    return kept_behind(id, sum);
-}
-
-// The mean light of the pixel at `at`, beside the shadow's edge, and the share of the light of stars that gets through the
-// disc. `whole` is the patch of the pixel.
-fn light_beside_edge(whole: Patch, at: vec2<f32>, most_taps: f32) -> Veil {
-    let half_angle = half_shadow();
-    let side = 1.0 / f32(SUB_RAYS);
     let orbit = orbit_of(whole, 0.0);
-    let leaves = has_outward_leg(orbit);
-    var beyond = Veil(vec4(0.0), 0.0);
-    for (var i = 0u; i < SUB_RAYS * SUB_RAYS; i++) {
-        let offset = (vec2(f32(i % SUB_RAYS), f32(i / SUB_RAYS)) + 0.5) * side - 0.5;
-        let square = patch_at(at + offset, side);
-        let px = gradient(square);
-        let part = sky_part(shadow_distance(square.c, square.p, half_angle), px, half_angle);
-        if part.covered > 0.0 {
-            let outside = moved(square, part.shift * px, part.extent);
-            let seen = light_beyond(outside, orbit, leaves, most_taps);
-            beyond.light += seen.light * part.covered;
-            beyond.through += 1.0 - part.covered * (1.0 - seen.through);
-        } else {
-            beyond.through += 1.0;
+    let rays = rays_of(whole);
+    let is_edge = rays.along == SUB_RAYS;
+    let count = select(1u, SUB_RAYS * SUB_RAYS, is_edge);
+    var before = Before(orbit.inner, NO_CROSSING);
+    var light = vec4(0.0);
+    var through = 0.0;
+    for (var i = 0u; i < count; i++) {
+        // In the shadow, nothing is seen beyond the periapsis.
+        var outside = Outside(whole, select(1.0, 0.0, rays.along == 0u));
+        for (var several = is_edge; several; several = false) {
+            outside = outside_of(i, SUB_RAYS, at);
         }
+        let deflected = deflect_patch(outside.seen.c, outside.seen.p);
+        let ray = leaving(deflected);
+        for (var first = i == 0u; first; first = false) {
+            before = before_periapsis(whole, orbit, ray);
+        }
+        let escapes = outside.covered > 0.0 && deflected.outcome == ESCAPES;
+        let covered = select(0.0, outside.covered, escapes);
+        var shares = vec2(0.0, 1.0 - disc.opacity * before.nearer.share);
+        let uncovered = (1.0 - covered) * shares.y;
+        for (var seen = escapes; seen; seen = false) {
+            let farther = beyond_periapsis(outside.seen, orbit, ray, before);
+            shares = shares_behind(before.nearer, farther);
+            light += covered * light_of(outside.seen, orbit, farther, shares.x);
+            for (var sky = shares.y > 0.0; sky; sky = false) {
+                let mean = average(print_of(outside.seen, deflected), rays.most_taps);
+                light += covered * shares.y * vec4(seen_light(mean, outside.seen.d), 1.0);
+            }
+        }
+        through += uncovered + covered * shares.y;
     }
-    // What is before the periapsis changes little within a pixel, also across the edge.
-    let before = veil_before(whole, orbit);
-    let share = side * side;
-    return Veil(before.light + beyond.light * (share * before.through), before.through * beyond.through * share);
-}
-
-// The light of a patch outside the shadow from beyond the periapsis of its rays, whose orbit is nearly `orbit`. `leaves` is
-// whether such rays may meet the disc there.
-fn light_beyond(outside: Patch, orbit: Orbit, leaves: bool, most_taps: f32) -> Veil {
-    let deflected = deflect_patch(outside.c, outside.p);
-    if deflected.outcome != ESCAPES {
-        return NO_VEIL;
-    }
-    var seen = NO_VEIL;
-    for (var disc_too = leaves; disc_too; disc_too = false) {
-        seen = veil_beyond(outside, orbit, deflected);
-    }
-    for (var sky = seen.through > 0.0; sky; sky = false) {
-        seen.light += seen.through * sky_of(outside, deflected, most_taps);
-    }
-    return seen;
+    let share = 1.0 / f32(count);
+    let nearer = light_of(whole, orbit, before.nearer, before.nearer.share);
+    return kept_behind(id, Veil(light * share + nearer, through * share));
 }

@@ -105,6 +105,7 @@ const FILES: &[(&str, &str)] = files![
     "sum_overflow_lists",
     "tone_map",
     "trace",
+    "veil",
     "view_boosted",
     "view_rest",
     "work_queues",
