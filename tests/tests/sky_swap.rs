@@ -77,7 +77,7 @@ fn a_sky_swapped_by_the_layers_is_the_one_that_the_renderer_draws() {
         };
         let lens = lens(&view, Deflection::Lut);
         let layers = [Layer::Uv, Layer::Captured];
-        let channels = layers::trace(&lens, &layers, Sampling::Single, || ());
+        let channels = layers::trace(&lens, &layers, Sampling::Single, None, || ());
         let [u, v, captured] = &channels[..] else {
             panic!("three channels")
         };

@@ -134,6 +134,11 @@ impl<'a> SeenDisc<'a> {
         self.both_in_front(self.hits(&self.ray(direction)), behind)
     }
 
+    /// Where the ray in the unit view `direction` of the camera meets the disc first.
+    pub fn nearest_hit(&self, direction: DVec3) -> Option<Hit> {
+        self.hits(&self.ray(direction)).into_iter().flatten().next()
+    }
+
     /// Where the rays of `patch` meet the disc, the nearer place first.
     pub fn hits(&self, patch: &Patch) -> [Option<Hit>; 2] {
         let outward = match self.lens.deflect(patch.view_angle) {

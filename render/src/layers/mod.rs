@@ -3,37 +3,21 @@
 //!
 //! All of them are computed on the CPU in f64 and rounded to f32, also for a picture that a GPU has drawn.
 
+mod layer;
+
+pub use layer::Layer;
+
 use crate::camera::Camera;
+use crate::disc::{Disc, Hit, SeenDisc};
 use crate::filter::FilteredPixels;
 use crate::lens::{Lens, LensedRay};
 use crate::scene::Sampling;
 use crate::shift::Rendition;
 use crate::sky::panorama_uv;
 use crate::stars::images::ImageOrder;
-use glam::DVec3;
+use glam::{DVec3, Vec4};
 use lensbake_core::RayOutcome;
 use rayon::prelude::*;
-
-/// A layer. All of its values are finite, and 0 where the ray through the pixel's centre is captured, except for
-/// [`Layer::Captured`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Layer {
-    /// The unit direction on the sky that the ray through the pixel's centre comes from, in the sky frame: X, Y, Z.
-    Direction,
-    /// The frequency ratio ν_obs/ν_∞ of that light.
-    Shift,
-    /// The magnification: the pixel's solid angle divided by that of its source on the sky, negative where the image is
-    /// mirrored; see [`crate::lens::Jacobian::magnification`].
-    Magnification,
-    /// The image order: how often the light crosses the axis through the camera and the hole; see
-    /// [`ImageOrder::half_windings`].
-    Order,
-    /// The place of that direction in a panorama: U, V; see [`panorama_uv`].
-    Uv,
-    /// How much of the pixel shows no sky, because it lies in the shadow or outside the disc of a fisheye: the share of its
-    /// area if the picture shows the mean over it, else 1 or 0 at its centre.
-    Captured,
-}
 
 /// The values of a channel at every pixel.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,62 +28,6 @@ pub struct Channel {
     pub samples: Vec<f32>,
 }
 
-impl Layer {
-    /// All layers.
-    pub const ALL: [Layer; 6] = [
-        Layer::Direction,
-        Layer::Shift,
-        Layer::Magnification,
-        Layer::Order,
-        Layer::Uv,
-        Layer::Captured,
-    ];
-
-    /// Its name, the first part of the names of its channels.
-    pub fn name(self) -> &'static str {
-        match self {
-            Layer::Direction => "direction",
-            Layer::Shift => "shift",
-            Layer::Magnification => "magnification",
-            Layer::Order => "order",
-            Layer::Uv => "uv",
-            Layer::Captured => "captured",
-        }
-    }
-
-    /// Its components, the last part of the names of its channels. One letter each, because Blender takes no others; V
-    /// for a single value; never R, G, B or A, which tinyexr would take for the picture.
-    pub fn components(self) -> &'static [&'static str] {
-        match self {
-            Layer::Direction => &["X", "Y", "Z"],
-            Layer::Uv => &["U", "V"],
-            Layer::Shift | Layer::Magnification | Layer::Order | Layer::Captured => &["V"],
-        }
-    }
-
-    /// The values of its components, then zeros.
-    fn values(self, pixel: &Pixel) -> [f64; 3] {
-        let Pixel { light, captured } = *pixel;
-        let Some(light) = light else {
-            let shadow = if self == Layer::Captured {
-                captured
-            } else {
-                0.0
-            };
-            return [shadow, 0.0, 0.0];
-        };
-        let one = |value| [value, 0.0, 0.0];
-        match self {
-            Layer::Direction => light.on_sky.to_array(),
-            Layer::Shift => one(light.ray.frequency_shift),
-            Layer::Magnification => one(light.ray.jacobian.magnification()),
-            Layer::Order => one(ImageOrder::at(light.ray.sky_angle).half_windings().into()),
-            Layer::Uv => panorama_uv(light.on_sky).extend(0.0).to_array(),
-            Layer::Captured => one(captured),
-        }
-    }
-}
-
 /// What the layers say about a pixel.
 #[derive(Debug, Clone, Copy)]
 struct Pixel {
@@ -107,6 +35,34 @@ struct Pixel {
     light: Option<Light>,
     /// The value of [`Layer::Captured`].
     captured: f64,
+    /// Where the ray through its centre meets the disc first.
+    hit: Option<Hit>,
+    /// The value of [`Layer::DiscAlpha`].
+    disc_alpha: f64,
+}
+
+impl Pixel {
+    /// The values of the components of `layer`, then zeros.
+    fn values_of(&self, layer: Layer) -> [f64; 3] {
+        let one = |value| DVec3::new(value, 0.0, 0.0);
+        let of_light = |value: fn(&Light) -> DVec3| self.light.as_ref().map_or(DVec3::ZERO, value);
+        let of_hit = |value: fn(&Hit) -> f64| one(self.hit.as_ref().map_or(0.0, value));
+        let values = match layer {
+            Layer::Direction => of_light(|light| light.on_sky),
+            Layer::Shift => of_light(|light| light.ray.frequency_shift * DVec3::X),
+            Layer::Magnification => of_light(|light| light.ray.jacobian.magnification() * DVec3::X),
+            Layer::Order => of_light(|light| {
+                f64::from(ImageOrder::at(light.ray.sky_angle).half_windings()) * DVec3::X
+            }),
+            Layer::Uv => of_light(|light| panorama_uv(light.on_sky).extend(0.0)),
+            Layer::Captured => one(self.captured),
+            Layer::DiscRadius => of_hit(|hit| hit.radius),
+            Layer::DiscOrder => of_hit(|hit| hit.order.into()),
+            Layer::DiscShift => of_hit(|hit| hit.shift),
+            Layer::DiscAlpha => one(self.disc_alpha),
+        };
+        values.to_array()
+    }
 }
 
 /// A ray that escapes.
@@ -117,8 +73,8 @@ struct Light {
     on_sky: DVec3,
 }
 
-/// The channels of `layers`, each layer once, for the picture through `lens` with this sampling. `row_done` is called
-/// after each row of pixels.
+/// The channels of `layers`, each layer once, for the picture of a sky and of `disc`, if any, through `lens` with this
+/// sampling. `row_done` is called after each row of pixels.
 ///
 /// ```
 /// use lensbake_render::camera::{Camera, View};
@@ -130,7 +86,7 @@ struct Light {
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let view = View { radius: 10.0, width: 64, height: 36, ..View::default() };
 /// let lens = Lens::new(Camera::new(&view)?, default_atlas(), Deflection::Lut)?;
-/// let channels = layers::trace(&lens, &[Layer::Shift, Layer::Uv], Sampling::Single, || ());
+/// let channels = layers::trace(&lens, &[Layer::Shift, Layer::Uv], Sampling::Single, None, || ());
 /// let names: Vec<_> = channels.iter().map(|channel| channel.name.as_str()).collect();
 /// assert_eq!(names, ["shift.V", "uv.U", "uv.V"]);
 /// // An observer at rest sees all light blueshifted alike, by 1/√(1 − 1/r).
@@ -142,6 +98,7 @@ pub fn trace(
     lens: &Lens,
     layers: &[Layer],
     sampling: Sampling,
+    disc: Option<Disc>,
     row_done: impl Fn() + Sync,
 ) -> Vec<Channel> {
     let camera = &lens.camera;
@@ -157,9 +114,13 @@ pub fn trace(
             samples: vec![0.0; camera.pixels()],
         })
         .collect();
+    // It costs rays that the layers of the sky do not need.
+    let disc = disc.filter(|_| wanted.iter().any(|layer| layer.is_of_disc()));
+    let rendition = Rendition::default();
     let pixels = Pixels {
         lens,
-        filtered: FilteredPixels::new(lens, Rendition::default()),
+        filtered: FilteredPixels::new(lens, rendition).with_disc(disc),
+        disc: disc.map(|disc| SeenDisc::new(lens, disc, rendition)),
         averages: sampling.averages(),
     };
     lines(&mut channels, camera)
@@ -192,7 +153,7 @@ fn fill(mut line: Vec<&mut [f32]>, layers: &[Layer], pixel: impl Fn(u32) -> Pixe
         let pixel = pixel(column as u32);
         let mut channels = line.iter_mut();
         for layer in layers {
-            let values = layer.values(&pixel);
+            let values = pixel.values_of(*layer);
             for (channel, value) in channels.by_ref().take(layer.components().len()).zip(values) {
                 channel[column] = finite(value);
             }
@@ -212,6 +173,7 @@ fn finite(value: f64) -> f32 {
 struct Pixels<'a> {
     lens: &'a Lens,
     filtered: FilteredPixels<'a>,
+    disc: Option<SeenDisc<'a>>,
     /// Whether the picture shows the mean over each pixel.
     averages: bool,
 }
@@ -224,9 +186,12 @@ impl Pixels<'_> {
             return Pixel {
                 light: None,
                 captured: 1.0,
+                hit: None,
+                disc_alpha: 0.0,
             };
         }
-        let light = match self.lens.ray(camera.direction(column, row)) {
+        let direction = camera.direction(column, row);
+        let light = match self.lens.ray(direction) {
             RayOutcome::Captured => None,
             RayOutcome::Escapes(ray) => Some(Light {
                 ray,
@@ -238,7 +203,22 @@ impl Pixels<'_> {
         } else {
             1.0 - covered * f64::from(u8::from(light.is_some()))
         };
-        Pixel { light, captured }
+        let disc_alpha = |disc: &SeenDisc| {
+            if self.averages {
+                1.0 - f64::from(self.filtered.through_disc(column, row))
+            } else {
+                disc.before(direction, Vec4::ZERO).w.into()
+            }
+        };
+        Pixel {
+            light,
+            captured,
+            hit: self
+                .disc
+                .as_ref()
+                .and_then(|disc| disc.nearest_hit(direction)),
+            disc_alpha: covered * self.disc.as_ref().map_or(0.0, disc_alpha),
+        }
     }
 }
 

@@ -1,5 +1,7 @@
 //! The layers against the closed form, at rest and in motion, above the horizon and below it.
 
+mod disc;
+
 use super::*;
 use crate::camera::View;
 use crate::diff::{Reference, TraceStatistics};
@@ -64,7 +66,12 @@ fn lens(view: &View) -> Lens {
 }
 
 fn channels(lens: &Lens, layers: &[Layer]) -> Vec<Vec<f32>> {
-    let channels = trace(lens, layers, Sampling::Single, || ());
+    channels_of(lens, layers, None)
+}
+
+/// The channels of a picture with this disc, one ray per pixel.
+fn channels_of(lens: &Lens, layers: &[Layer], disc: Option<Disc>) -> Vec<Vec<f32>> {
+    let channels = trace(lens, layers, Sampling::Single, disc, || ());
     channels
         .into_iter()
         .map(|channel| channel.samples)
@@ -288,7 +295,7 @@ fn the_share_of_the_shadow_is_antialiased_where_the_picture_is() {
         ..view(10.0, Motion::Rest, 0.0)
     });
     let captured = |sampling| {
-        let mut channels = trace(&lens, &[Layer::Captured], sampling, || ());
+        let mut channels = trace(&lens, &[Layer::Captured], sampling, None, || ());
         channels.remove(0).samples
     };
     let (share, at_centre) = (captured(Sampling::Filtered), captured(Sampling::Single));
@@ -309,7 +316,7 @@ fn the_share_of_the_shadow_is_antialiased_where_the_picture_is() {
 fn layers_come_once_each_and_in_their_order() {
     let lens = lens(&view(10.0, Motion::Rest, 0.0));
     let asked = [Layer::Captured, Layer::Uv, Layer::Captured];
-    let names = trace(&lens, &asked, Sampling::Single, || ());
+    let names = trace(&lens, &asked, Sampling::Single, None, || ());
     let names: Vec<_> = names.into_iter().map(|channel| channel.name).collect();
     assert_eq!(names, ["uv.U", "uv.V", "captured.V"]);
     assert_eq!(channels(&lens, &[]), Vec::<Vec<f32>>::new());

@@ -4,6 +4,7 @@ use crate::programs::{READERS, RGB};
 use lensbake_core::Motion;
 use lensbake_render::camera::View;
 use lensbake_render::cpu;
+use lensbake_render::disc::Disc;
 use lensbake_render::layers::{self, Channel, Layer};
 use lensbake_render::lens::Deflection;
 use lensbake_render::openexr::{Metadata, Value, encode};
@@ -18,11 +19,15 @@ use std::process::Command;
 use tempfile::TempDir;
 
 /// The channels of all layers, as a file sorts them.
-const LAYERS: [&str; 9] = [
+const LAYERS: [&str; 13] = [
     "captured.V",
     "direction.X",
     "direction.Y",
     "direction.Z",
+    "disc_alpha.V",
+    "disc_order.V",
+    "disc_radius.V",
+    "disc_shift.V",
     "magnification.V",
     "order.V",
     "shift.V",
@@ -45,8 +50,12 @@ fn view() -> View {
 /// A picture with all layers.
 fn picture() -> (Picture, Vec<Channel>) {
     let lens = lens(&view(), Deflection::Lut);
-    let layers = layers::trace(&lens, &Layer::ALL, Sampling::Filtered, || ());
-    let scene = Scene::new(lens, grid(64)).with_sampling(Sampling::Filtered);
+    let disc = Disc::default();
+    let layers = layers::trace(&lens, &Layer::ALL, Sampling::Filtered, Some(disc), || ());
+    let scene = Scene {
+        disc: Some(disc),
+        ..Scene::new(lens, grid(64)).with_sampling(Sampling::Filtered)
+    };
     (cpu::render(&scene, || ()), layers)
 }
 
@@ -204,7 +213,7 @@ fn the_python_code_of_the_document_swaps_the_sky() {
     picture.save(&panorama).unwrap();
     let sky = sky::load(&SkySource::Panorama(panorama)).unwrap();
     let lens = lens(&view(), Deflection::Lut);
-    let layers = layers::trace(&lens, &Layer::ALL, Sampling::Single, || ());
+    let layers = layers::trace(&lens, &Layer::ALL, Sampling::Single, None, || ());
     let picture = cpu::render(&Scene::new(lens, sky), || ());
     let frame = encode(&picture, layers, &metadata()).unwrap();
     std::fs::write(folder.path().join("frame.exr"), frame).unwrap();

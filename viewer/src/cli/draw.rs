@@ -11,6 +11,7 @@ use lensbake_render::layers::Layer;
 use lensbake_render::sky::SkySource;
 use lensbake_render::stars::StarSource;
 use std::path::PathBuf;
+use thiserror::Error;
 
 /// Default output file of a picture.
 pub const PICTURE: &str = "lensed.png";
@@ -95,27 +96,60 @@ pub enum LayerName {
     Uv,
     /// Share of the pixel that lies in the shadow.
     Captured,
-    /// All of these.
+    /// Radius at which the pixel shows the disc, in Schwarzschild radii.
+    #[value(name = "disc_radius")]
+    DiscRadius,
+    /// Image order of the disc: how many half turns around the hole its light makes.
+    #[value(name = "disc_order")]
+    DiscOrder,
+    /// Frequency shift of the disc's light.
+    #[value(name = "disc_shift")]
+    DiscShift,
+    /// Share of the light behind the disc that the pixel does not show.
+    #[value(name = "disc_alpha")]
+    DiscAlpha,
+    /// All of these; those of a disc if there is one.
     All,
 }
 
+/// A layer of a disc without the disc.
+#[derive(Debug, Error)]
+#[error("--aov: {} is for a disc, and there is none; add --disc", _0.name())]
+pub struct LayerNeedsDisc(Layer);
+
 impl LayerName {
-    /// The layers of all these names.
-    pub fn layers_of(names: &[LayerName]) -> Vec<Layer> {
-        names.iter().flat_map(|name| name.layers()).collect()
+    /// The layers of all these names, in a picture with this disc.
+    ///
+    /// # Errors
+    /// [`LayerNeedsDisc`] if one is that of a disc, and there is none.
+    pub fn layers_of(names: &[LayerName], disc: &DiscArgs) -> Result<Vec<Layer>, LayerNeedsDisc> {
+        let there = |layer: &Layer| disc.disc.is_some() || !layer.is_of_disc();
+        let mut layers = Vec::new();
+        for name in names {
+            match name.layer() {
+                Some(layer) if there(&layer) => layers.push(layer),
+                Some(layer) => return Err(LayerNeedsDisc(layer)),
+                None => layers.extend(Layer::ALL.into_iter().filter(there)),
+            }
+        }
+        Ok(layers)
     }
 
-    /// The layers of this name.
-    fn layers(self) -> Vec<Layer> {
-        match self {
-            LayerName::Direction => vec![Layer::Direction],
-            LayerName::Shift => vec![Layer::Shift],
-            LayerName::Magnification => vec![Layer::Magnification],
-            LayerName::Order => vec![Layer::Order],
-            LayerName::Uv => vec![Layer::Uv],
-            LayerName::Captured => vec![Layer::Captured],
-            LayerName::All => Layer::ALL.to_vec(),
-        }
+    /// The layer of this name; `None` for all.
+    fn layer(self) -> Option<Layer> {
+        Some(match self {
+            LayerName::Direction => Layer::Direction,
+            LayerName::Shift => Layer::Shift,
+            LayerName::Magnification => Layer::Magnification,
+            LayerName::Order => Layer::Order,
+            LayerName::Uv => Layer::Uv,
+            LayerName::Captured => Layer::Captured,
+            LayerName::DiscRadius => Layer::DiscRadius,
+            LayerName::DiscOrder => Layer::DiscOrder,
+            LayerName::DiscShift => Layer::DiscShift,
+            LayerName::DiscAlpha => Layer::DiscAlpha,
+            LayerName::All => return None,
+        })
     }
 }
 

@@ -13,7 +13,8 @@ mod values;
 
 pub use disc::{DiscArgsError, shift_name};
 pub use draw::{
-    CatalogueArgs, DiffArgs, DrawingArgs, LayerName, PICTURE, RenderArgs, StarArgs, WindowArgs,
+    CatalogueArgs, DiffArgs, DrawingArgs, LayerName, LayerNeedsDisc, PICTURE, RenderArgs, StarArgs,
+    WindowArgs,
 };
 pub use film::FilmArgs;
 pub use measure::{BenchArgs, ChartArgs, FlickerArgs, ReferenceArgs};

@@ -13,7 +13,8 @@ pub mod render;
 pub mod window;
 
 use crate::cli::{
-    DeviceName, DiscArgsError, DrawingArgs, LightArgs, PassName, SamplingName, StarArgs,
+    DeviceName, DiscArgsError, DrawingArgs, LayerNeedsDisc, LightArgs, PassName, SamplingName,
+    StarArgs,
 };
 use clap::ValueEnum;
 use lensbake_core::CoreError;
@@ -136,6 +137,9 @@ pub enum CommandError {
     /// Only an OpenEXR file holds layers.
     #[error("--aov: {} holds no layers; name an .exr with --output", _0.display())]
     LayersNeedExr(PathBuf),
+    /// Only a picture with a disc has the layers of one.
+    #[error(transparent)]
+    LayerNeedsDisc(#[from] LayerNeedsDisc),
     /// Standard output cannot be written.
     #[error(transparent)]
     Print(#[from] PrintError),

@@ -12,7 +12,7 @@ use lensbake_render::camera::{Camera, View};
 use lensbake_render::disc::Disc;
 use lensbake_render::filter::FilteredPixels;
 use lensbake_render::gpu::{GpuError, Renderer};
-use lensbake_render::layers::{self, Channel};
+use lensbake_render::layers::{self, Channel, Layer};
 use lensbake_render::lens::{Deflection, Lens};
 use lensbake_render::model::DEFAULT_BUDGET_PX;
 use lensbake_render::openexr;
@@ -128,7 +128,7 @@ fn picture(
     let bytes = match file.format {
         PictureFormat::Png => picture.encode(file.format, exposure)?,
         PictureFormat::OpenExr => {
-            let layers = layers(&args.aov, scene);
+            let layers = channels(&file.layers, scene);
             let metadata =
                 metadata::of(&described(args, scene.disc.as_ref()), view, table, &device)?;
             openexr::encode(&picture, layers, &metadata)?
@@ -168,6 +168,8 @@ fn exposed(args: &RenderArgs, jobs: &[Job]) -> (Rendition, f32) {
 /// The output file of a picture, checked before the picture is drawn.
 struct PictureFile {
     format: PictureFormat,
+    /// Its layers.
+    layers: Vec<Layer>,
     output: Output,
 }
 
@@ -179,12 +181,17 @@ impl PictureFile {
         if format != PictureFormat::OpenExr && !args.aov.is_empty() {
             return Err(CommandError::LayersNeedExr(path.to_owned()));
         }
+        let layers = LayerName::layers_of(&args.aov, &args.disc)?;
         let output = Output::binary(path)?;
         spare_inputs(&output, &args.scene.view.light, args.stars.stars.as_ref())?;
         if let Some(like) = &args.like {
             output.spares(like)?;
         }
-        Ok(PictureFile { format, output })
+        Ok(PictureFile {
+            format,
+            layers,
+            output,
+        })
     }
 }
 
@@ -200,11 +207,11 @@ fn described<'a>(args: &'a RenderArgs, disc: Option<&'a Disc>) -> Described<'a> 
     }
 }
 
-/// The channels of the layers `names` of `scene`.
-fn layers(names: &[LayerName], scene: &Scene) -> Vec<Channel> {
+/// The channels of `layers` of `scene`.
+fn channels(layers: &[Layer], scene: &Scene) -> Vec<Channel> {
     let progress = Progress::new("tracing layers", scene.lens.camera.height.into());
-    let layers = LayerName::layers_of(names);
-    let channels = layers::trace(&scene.lens, &layers, scene.sampling, || progress.step());
+    let row_done = || progress.step();
+    let channels = layers::trace(&scene.lens, layers, scene.sampling, scene.disc, row_done);
     progress.finish();
     channels
 }

@@ -25,7 +25,16 @@ fn a_frame_has_layers_and_can_be_drawn_again_from_itself() {
         ("flyby", &["--size", "64x36", "--stars", "hipparcos"]),
         (
             "orbit",
-            &["--size", "64x36", "--disc", "3,9", "--disc-opacity", "0.6"],
+            &[
+                "--size",
+                "64x36",
+                "--stars",
+                "hipparcos",
+                "--disc",
+                "3,9",
+                "--disc-opacity",
+                "0.6",
+            ],
         ),
     ] {
         let film = [

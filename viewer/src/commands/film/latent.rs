@@ -3,6 +3,7 @@
 use super::super::CommandError;
 use super::camera::FilmCamera;
 use lensbake_render::camera::View;
+use lensbake_render::cpu;
 use lensbake_render::picture::Picture;
 use lensbake_render::shift::Rendition;
 use lensbake_render::stars::SortedStars;
@@ -62,7 +63,10 @@ impl Latent {
         };
         if let Some(stars) = stars {
             for view in &self.moments {
-                stars.draw(&mut picture, &camera.lens(view)?, self.rendition);
+                let lens = camera.lens(view)?;
+                cpu::add_stars(&mut picture, &lens, self.rendition, camera.disc, |light| {
+                    stars.draw(light, &lens, self.rendition);
+                });
             }
         }
         if self.moments.len() > 1 {

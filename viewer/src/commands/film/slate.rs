@@ -19,8 +19,8 @@ impl Slate<'_> {
     pub(super) fn openexr(&self, frame: &Developed) -> Result<Vec<u8>, CommandError> {
         let (args, camera) = (self.args, self.camera);
         let lens = camera.lens(&frame.view)?;
-        let wanted = LayerName::layers_of(&args.aov);
-        let layers = layers::trace(&lens, &wanted, camera.sampling, || ());
+        let wanted = LayerName::layers_of(&args.aov, &args.disc)?;
+        let layers = layers::trace(&lens, &wanted, camera.sampling, camera.disc, || ());
         let exposure = match args.drawing.exposure {
             Exposure::Stops(_) => Some(frame.exposure),
             Exposure::Automatic => None,

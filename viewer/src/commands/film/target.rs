@@ -39,7 +39,7 @@ impl Target {
                 Ok((Target::Video(video), plan.frames.clone()))
             }
             None => {
-                let layers = LayerName::layers_of(&args.aov);
+                let layers = LayerName::layers_of(&args.aov, &args.disc)?;
                 let files = FrameFiles::new(path, frames_at_once(args.size(), &layers))?;
                 let frames = files.missing(&plan.frames, args)?;
                 Ok((Target::Files(files), frames))
