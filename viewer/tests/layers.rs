@@ -97,6 +97,52 @@ fn layers_do_not_depend_on_the_device() {
     }
 }
 
+/// The layers of a disc are there with the disc, and the others stay as they are.
+#[test]
+fn a_disc_has_layers() {
+    let cpu = ["-d", "cpu", "--aov"];
+    let without = channels(&[&cpu[..], &["all"]].concat());
+    let disc = ["--disc", "3,9", "--disc-opacity", "0.5"];
+    let all = channels(&[&cpu[..], &["all"], &disc].concat());
+    let of_disc = [
+        "disc_alpha.V",
+        "disc_order.V",
+        "disc_radius.V",
+        "disc_shift.V",
+    ];
+    let added: Vec<&str> = names(&all)
+        .into_iter()
+        .filter(|&name| !without.contains_key(name))
+        .collect();
+    assert_eq!(added, of_disc);
+    for (name, samples) in without.iter().filter(|(name, _)| name.contains('.')) {
+        assert!(all[name] == *samples, "{name}");
+    }
+    let one = channels(&[&cpu[..], &["disc_radius"], &disc].concat());
+    assert_eq!(names(&one), ["B", "G", "R", "disc_radius.V"]);
+    assert!(one["disc_radius.V"] == all["disc_radius.V"]);
+    let radii = all["disc_radius.V"].iter().filter(|&&radius| radius != 0.0);
+    assert!(radii.clone().all(|radius| (3.0..=9.0).contains(radius)));
+    assert!(radii.count() > 500);
+    // Two crossings take three quarters of the light.
+    let alpha = &all["disc_alpha.V"];
+    assert!(alpha.iter().all(|alpha| (0.0..0.76).contains(alpha)));
+    assert!(alpha.iter().any(|&alpha| alpha > 0.7) && alpha.contains(&0.5));
+}
+
+#[test]
+fn layers_of_a_disc_need_a_disc() {
+    let folder = folder();
+    let out = path(&folder, "1.exr");
+    let film = ["film", "--path", "orbit", "--frames", "1..2"];
+    for command in [&["render"][..], &film] {
+        VIEWER
+            .run(&[command, &["--aov", "uv,disc_order", "-o", &out]].concat())
+            .refuses(&["--aov", "disc_order", "--disc"]);
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
 #[test]
 fn layers_need_an_exr() {
     let folder = folder();

@@ -34,6 +34,8 @@ fn a_frame_has_layers_and_can_be_drawn_again_from_itself() {
                 "3,9",
                 "--disc-opacity",
                 "0.6",
+                "--aov",
+                "disc_radius,disc_alpha",
             ],
         ),
     ] {
@@ -66,6 +68,7 @@ fn a_frame_has_layers_and_can_be_drawn_again_from_itself() {
         assert!(frame == again, "{path}");
         let names = String::from_utf8_lossy(&frame);
         assert!(names.contains("shift.V") && names.contains("uv.U"));
+        assert_eq!(names.contains("disc_alpha.V"), path == "orbit");
     }
     let png = file("%d.png");
     VIEWER

@@ -36,14 +36,15 @@ fn disc(view: &View) -> Disc {
 
 /// The views of the other layers, and others that show the whole sky.
 fn all_views() -> Vec<View> {
-    let projected = |projection| View {
+    let projected = |projection, height| View {
         projection,
+        height,
         fov_deg: 180.0,
         ..view(10.0, Motion::Orbit, 0.0)
     };
     let mut all = views();
-    all.push(projected(Projection::Equirectangular));
-    all.push(projected(Projection::Fisheye));
+    all.push(projected(Projection::Equirectangular, WIDTH / 2));
+    all.push(projected(Projection::Fisheye, WIDTH));
     all
 }
 
