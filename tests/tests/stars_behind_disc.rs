@@ -59,13 +59,14 @@ fn behind_and_beside(lens: &Lens) -> [u32; 2] {
     [behind.unwrap(), rim.unwrap() + 5]
 }
 
-/// The stars that are seen in the middle of the pixels in these columns of the middle row.
+/// The stars that are seen in the middle of the pixels in these columns of the middle row, each as bright as a white pixel.
 fn stars_seen_in(lens: &Lens, columns: &[u32]) -> StarField {
     let star = |column: &u32| {
         let ray = lens.ray(lens.camera.direction(*column, HEIGHT / 2));
+        let ray = ray.escaped().unwrap();
         PointStar {
-            direction: lens.camera.sky_from_hole * ray.escaped().unwrap().direction,
-            light: Vec3::ONE,
+            direction: lens.camera.sky_from_hole * ray.direction,
+            light: Vec3::splat(ray.jacobian.magnification().abs().recip() as f32),
         }
     };
     StarField {
