@@ -45,13 +45,13 @@ fn views() -> impl Iterator<Item = View> {
         })
 }
 
-/// Columns to the right of the hole, in the middle row: one in the middle of the disc, one well outside.
+/// Columns to the right of the hole, in the middle row: one in the middle of the disc's direct image, one well outside.
 fn behind_and_beside(lens: &Lens) -> [u32; 2] {
     let seen = SeenDisc::new(lens, dark_disc(1.0), Rendition::default());
     let width = lens.camera.width;
     let radius = |column: &u32| {
         let hit = seen.nearest_hit(lens.camera.direction(*column, HEIGHT / 2));
-        hit.map(|hit| hit.radius)
+        hit.filter(|hit| hit.order == 0).map(|hit| hit.radius)
     };
     let mut to_the_right = width / 2..width;
     let behind = to_the_right.find(|column| radius(column).is_some_and(|radius| radius > 7.0));
