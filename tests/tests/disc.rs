@@ -135,6 +135,7 @@ const VIEWS: [(f64, Motion, f64, f64, f64, f64); 10] = [
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn the_gpu_draws_the_picture_of_the_cpu() {
     let (renderer, grid) = (renderer(), grid());
+    let mut worse = Vec::new();
     for (radius, motion, yaw_deg, fov_deg, inclination_deg, opacity) in VIEWS {
         let view = View {
             radius,
@@ -174,10 +175,13 @@ fn the_gpu_draws_the_picture_of_the_cpu() {
                 } else {
                     (4, 0)
                 };
-                assert!(some <= most && many <= far, "{some} {many}");
+                if some > most || many > far {
+                    worse.push((radius, deflection, sampling, some, many));
+                }
             }
         }
     }
+    assert!(worse.is_empty(), "{worse:?}");
 }
 
 #[test]
