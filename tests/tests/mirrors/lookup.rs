@@ -158,20 +158,23 @@ fn compare(observer: &Observer, row: &GpuRow, input: &[f32; 4], probe: &Probe) {
     let hermite = row.interpolation == Interpolation::Hermite;
     // With linear interpolation the slope jumps at a texel, and rounding may put x on either side.
     let slopes = hermite || !beside_texel(row, x);
-    let agree = |found: [f32; 2], ours: Bending| {
+    let agree = |found: [f32; 2], ours: Bending, slopes: bool| {
         let bend = (found[0] - ours.bend).abs() < 2e-6 + rounding;
         let slope = (found[1] - ours.slope).abs();
         bend && (!slopes || slope < (1e-4 + 30.0 * rounding) * (1.0 + ours.slope.abs()))
     };
+    // Straight away from the hole only the slope for footprints is accurate. Of the other, which is a quotient of rounding
+    // errors there, GPUs return different values.
+    let straight_away = c < 0.0 && p.max(x) < 1e-6;
     assert!(
-        agree([probe.bend, probe.slope], bending),
+        agree([probe.bend, probe.slope], bending, slopes && !straight_away),
         "{at}: {bending:?}"
     );
     let RayOutcome::Escapes(of_footprint) = row.bending_for_footprint(c, p) else {
         panic!("{at}: captured as a footprint")
     };
     assert!(
-        agree([probe.footprint_bend, probe.footprint_slope], of_footprint),
+        agree([probe.footprint_bend, probe.footprint_slope], of_footprint, slopes),
         "{at}: {of_footprint:?}"
     );
     let [cos_sky, sin_sky] = mirror::turned(c, p, bending.bend);
