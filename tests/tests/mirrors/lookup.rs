@@ -174,7 +174,11 @@ fn compare(observer: &Observer, row: &GpuRow, input: &[f32; 4], probe: &Probe) {
         panic!("{at}: captured as a footprint")
     };
     assert!(
-        agree([probe.footprint_bend, probe.footprint_slope], of_footprint, slopes),
+        agree(
+            [probe.footprint_bend, probe.footprint_slope],
+            of_footprint,
+            slopes
+        ),
         "{at}: {of_footprint:?}"
     );
     let [cos_sky, sin_sky] = mirror::turned(c, p, bending.bend);
