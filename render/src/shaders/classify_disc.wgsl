@@ -42,8 +42,7 @@ fn may_show_disc(corner: vec2<f32>) -> bool {
     let missing = disc.outer_least - middle.value;
     let orbit = orbit_of(seen, select(0.0, missing * 1.00001, missing > 0.0 && missing < slack));
     var found = false;
-    // In a loop of one turn: see disc_over.wgsl.
-    for (var possible = has_inward_leg(orbit) || has_outward_leg(orbit); possible; possible = false) {
+    if has_inward_leg(orbit) || has_outward_leg(orbit) {
         found = may_meet_disc(seen, orbit, slack);
     }
     return found;

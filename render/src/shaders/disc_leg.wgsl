@@ -81,17 +81,16 @@ fn crossing_of(leg: Leg, seen: Patch) -> Crossing {
     let above = vec2(share_above(leg, leg.far, seen), share_above(leg, leg.near, seen));
     let px = gradient(seen);
     let is_crowded = leg.side > 0.0 && abs(leg.turn) * px > FAST_TURN;
-    // In loops of one turn: see disc_over.wgsl.
     var share = abs(above.x - above.y);
     var phase = low;
-    for (var met = low < high && (share > 0.0 || is_crowded); met; met = false) {
+    if low < high && (share > 0.0 || is_crowded) {
         // The phase in [0, π) at which the leg is in the plane of the disc.
         let cross = dot(leg.axis.xy, leg.sky);
         let along = leg.axis.y * leg.sky.x - leg.axis.x * leg.sky.y;
         let in_plane = angle(select(-along, along, cross >= 0.0), abs(cross));
         // Of phases that differ by half a turn, the one nearest to the disc.
         phase = select(in_plane, in_plane - HALF_TURN, 2.0 * in_plane - HALF_TURN > low + high);
-        for (var crowded = is_crowded; crowded; crowded = false) {
+        if is_crowded {
             let middle = max(shadow_distance(seen.c, seen.p, half_shadow()), 1e-9);
             let found = crowded_share(middle, 0.5 * px, in_plane, abs(leg.turn) * middle, low, high);
             share = found.x;

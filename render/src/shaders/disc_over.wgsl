@@ -1,7 +1,4 @@
 // How a disc covers what is behind it. disc/seen.rs explains it and is the reference in f64.
-//
-// A software adapter executes both sides of a branch but leaves out a loop that none of its pixels takes. So what few pixels
-// need is in loops of one turn.
 // #import disc
 // #import disc_hits
 // #import disc_light
@@ -17,7 +14,7 @@ struct Before {
 fn before_periapsis(whole: Patch, orbit: Orbit, ray: Leaving) -> Before {
     var before = Before(orbit.inner, NO_CROSSING);
     let inward = has_inward_leg(orbit);
-    for (var needed = inward || !orbit.reaches_inner; needed; needed = false) {
+    if inward || !orbit.reaches_inner {
         let other = opposite(whole);
         if !orbit.reaches_inner {
             before.near = at_periapsis(ray, other);
@@ -33,7 +30,7 @@ fn before_periapsis(whole: Patch, orbit: Orbit, ray: Leaving) -> Before {
 fn beyond_periapsis(outside: Patch, orbit: Orbit, ray: Leaving, before: Before) -> Crossing {
     var farther = NO_CROSSING;
     let is_seen = has_outward_leg(orbit) && disc.opacity * before.nearer.share < 1.0;
-    for (var needed = is_seen; needed; needed = false) {
+    if is_seen {
         var near = orbit.inner;
         if !orbit.reaches_inner {
             near = before.near;
@@ -63,7 +60,7 @@ fn shares_behind(nearer: Crossing, farther: Crossing) -> vec2<f32> {
 // The light of a crossing that is seen in a share of the patch, premultiplied by its alpha.
 fn light_of(seen: Patch, orbit: Orbit, crossing: Crossing, share: f32) -> vec4<f32> {
     var light = vec4(0.0);
-    for (var lit = share > 0.0; lit; lit = false) {
+    if share > 0.0 {
         light = vec4(disc_light(seen, orbit, crossing.phase), 1.0) * (disc.opacity * share);
     }
     return light;

@@ -36,24 +36,24 @@ fn disc_pixel(id: vec2<u32>) -> vec4<f32> {
         // In the shadow, nothing is seen beyond the periapsis.
         var outside = Outside(whole, select(1.0, 0.0, rays.along == 0u));
         var here = orbit;
-        for (var several = is_edge; several; several = false) {
+        if is_edge {
             outside = outside_of(i, SUB_RAYS, at);
             here = orbit_of(outside.seen, 0.0);
         }
         let deflected = deflect_patch(outside.seen.c, outside.seen.p);
         let ray = leaving(deflected);
-        for (var first = i == 0u; first; first = false) {
+        if i == 0u {
             before = before_periapsis(whole, orbit, ray);
         }
         let escapes = outside.covered > 0.0 && deflected.outcome == ESCAPES;
         let covered = select(0.0, outside.covered, escapes);
         var shares = vec2(0.0, 1.0 - disc.opacity * before.nearer.share);
         let uncovered = (1.0 - covered) * shares.y;
-        for (var seen = escapes; seen; seen = false) {
+        if escapes {
             let farther = beyond_periapsis(outside.seen, here, ray, before);
             shares = shares_behind(before.nearer, farther);
             light += covered * light_of(outside.seen, here, farther, shares.x);
-            for (var sky = shares.y > 0.0; sky; sky = false) {
+            if shares.y > 0.0 {
                 let mean = average(print_of(outside.seen, deflected), rays.most_taps);
                 light += covered * shares.y * vec4(seen_light(mean, outside.seen.d), 1.0);
             }
