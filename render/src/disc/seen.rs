@@ -101,6 +101,16 @@ impl<'a> SeenDisc<'a> {
         self.scale
     }
 
+    /// The circle on which the observer is, as a rim; `None` within the inner rim.
+    pub(crate) fn observer_circle(&self) -> Option<Rim> {
+        let u = self.lens.camera.observer.inverse_radius();
+        let circle = match self.lens.deflection {
+            Deflection::Lut | Deflection::Direct { .. } => Rim::bent,
+            Deflection::Flat => Rim::straight,
+        };
+        (u < self.inner.u).then(|| circle(1.0 / u))
+    }
+
     /// The inner and the outer rim.
     pub fn rims(&self) -> [Rim; 2] {
         [self.inner, self.outer]

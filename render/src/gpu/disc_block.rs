@@ -18,7 +18,7 @@ struct DiscBlock {
     inner_least: f32,
     outer_u: f32,
     outer_least: f32,
-    phases: [f32; 2 * COEFFICIENTS],
+    phases: [f32; 3 * COEFFICIENTS],
     luminance: f32,
     relative: f32,
     inverse_kelvin: f32,
@@ -41,10 +41,12 @@ impl DiscBlock {
     fn new(lens: &Lens, disc: Disc, rendition: Rendition) -> Self {
         let seen = SeenDisc::new(lens, disc, rendition);
         let [inner, outer] = seen.rims();
-        let mut phases = [0.0; 2 * COEFFICIENTS];
-        let coefficients = inner.coefficients.iter().chain(&outer.coefficients);
+        let mut phases = [0.0; 3 * COEFFICIENTS];
+        // An observer within the inner rim sees no leg before its periapsis, so that his circle is not needed.
+        let circles = [inner, outer, seen.observer_circle().unwrap_or(inner)];
+        let coefficients = circles.iter().flat_map(|rim| rim.coefficients);
         for (phase, coefficient) in phases.iter_mut().zip(coefficients) {
-            *phase = *coefficient as f32;
+            *phase = coefficient as f32;
         }
         let (pattern, node) = seen.pattern().unwrap_or_default();
         let relative = 1.0 / page_thorne(BRIGHTEST_RADIUS);

@@ -60,9 +60,7 @@ fn disc(choice: &Choice) -> String {
         "with disc",
         "in every model",
         &format!("shown at {samples} of these pixels"),
-        &format!(
-            "{DISC_BYTES:5} bytes per frame more, and the bending twice per ray that may meet it"
-        ),
+        &format!("{DISC_BYTES:5} bytes per frame more, and the orbit of each ray that may meet it"),
     )
 }
 

@@ -8,8 +8,9 @@ struct Disc {
     inner_least: f32,
     outer_u: f32,
     outer_least: f32,
-    // Coefficients of the phases at which rays reach the rims: of the inner rim, then of the outer.
-    phases: array<vec4<f32>, 6>,
+    // Coefficients of the phases at which rays reach the rims: of the inner rim, of the outer, and of the circle on which the
+    // observer is, if he is beyond the inner rim.
+    phases: array<vec4<f32>, 9>,
     // Factor of Page and Thorne's flux as `disc_flux` computes it: the luminance.
     luminance: f32,
     // The flux relative to the greatest is this factor times that flux.

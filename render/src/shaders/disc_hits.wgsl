@@ -32,7 +32,7 @@ fn lower_powers(t: f32, above: vec2<f32>, four: vec4<f32>) -> vec2<f32> {
     return vec2(p.x * t + four.x, p.y * t + p.x);
 }
 
-// The phase of the inner rim and its derivative at t = 4α/π − 1; then of the outer rim. A software adapter looks up an element
+// The phase of the inner rim and its derivative at t = 4α/π − 1; then of the outer rim, and of the observer. A software adapter looks up an element
 // of an array one pixel at a time, unless its index is a constant.
 fn inner_phase(t: f32) -> vec2<f32> {
     let high = lower_powers(t, vec2(0.0), disc.phases[2]);
@@ -44,9 +44,14 @@ fn outer_phase(t: f32) -> vec2<f32> {
     return lower_powers(t, lower_powers(t, high, disc.phases[4]), disc.phases[3]);
 }
 
-// t = 4α/π − 1 of a ray with this m² at the rim of inverse radius u.
-fn rim_place(u: f32, speed_sq: f32) -> f32 {
-    return angle(sqrt(max(speed_sq, 0.0)), u) * 1.2732395 - 1.0;
+fn observer_phase(t: f32) -> vec2<f32> {
+    let high = lower_powers(t, vec2(0.0), disc.phases[8]);
+    return lower_powers(t, lower_powers(t, high, disc.phases[7]), disc.phases[6]);
+}
+
+// t = 4α/π − 1 of a ray with this m at the rim of inverse radius u.
+fn rim_place(u: f32, speed: f32) -> f32 {
+    return angle(speed, u) * 1.2732395 - 1.0;
 }
 
 // The end of a leg at the rim of inverse radius u, from its phase and the derivative of that by t. It changes like a square root where rays have their periapsis
@@ -87,8 +92,8 @@ fn orbit_of(seen: Patch, more: f32) -> Orbit {
         square,
         parts.x > parts.y,
         1.0 / (camera.inverse_radius * (parts.x + parts.y)),
-        at_rim(disc.inner_u, inner_sq, inner_phase(rim_place(disc.inner_u, inner_sq)), square, least),
-        at_rim(disc.outer_u, outer_sq, outer_phase(rim_place(disc.outer_u, outer_sq)), square, least),
+        at_rim(disc.inner_u, inner_sq, inner_phase(rim_place(disc.inner_u, sqrt(max(inner_sq, 0.0)))), square, least),
+        at_rim(disc.outer_u, outer_sq, outer_phase(rim_place(disc.outer_u, sqrt(max(outer_sq, 0.0)))), square, least),
         inner_sq >= 0.0,
         outer_sq >= 0.0,
     );
@@ -98,17 +103,17 @@ fn leaving(deflected: Deflected) -> Leaving {
     return Leaving(vec2(-deflected.cos_sky, deflected.sin_sky), deflected.slope - 1.0);
 }
 
-// The ray that leaves the observer opposite to the one through the middle of a patch, in the frame of the observer at
-// rest: tan(θ′/2) = (z_in/z_out) cot(θ/2).
+// The ray that leaves the observer opposite to the one through the middle of a patch, which leaves inwards: its φ_∞ is the
+// phase of the observer, since that ray comes from there. m = u (z_in cot(θ/2) − z_out tan(θ/2))/2.
 fn opposite(seen: Patch) -> Leaving {
     let z = orbit_redshifts();
-    let ratio = z.x / z.y;
-    let ahead = ratio * ratio * (1.0 + seen.c);
-    let behind = 1.0 - seen.c;
-    let sum = ahead + behind;
-    let p = 2.0 * ratio * seen.p / sum;
-    let ray = leaving(deflect_patch((behind - ahead) / sum, p));
-    return Leaving(ray.sky, -ray.turn * p / max(seen.p, 1e-6));
+    let u = camera.inverse_radius;
+    let p = max(seen.p, 1e-6);
+    let speed = 0.5 * u * (z.x * (1.0 + seen.c) - z.y * (1.0 - seen.c)) / p;
+    let phase = observer_phase(rim_place(u, max(speed, 0.0)));
+    let by_angle = -0.5 * u * (z.x * (1.0 + seen.c) + z.y * (1.0 - seen.c)) / (p * p);
+    let turn = phase.y * -1.2732395 * u / (u * u + speed * speed) * by_angle;
+    return Leaving(cos_sin(phase.x), turn);
 }
 
 // The end of a leg at the periapsis: half of the angle between the two ends of the path.

@@ -34,7 +34,11 @@ fn beyond_periapsis(outside: Patch, orbit: Orbit, ray: Leaving, before: Before) 
     var farther = NO_CROSSING;
     let is_seen = has_outward_leg(orbit) && disc.opacity * before.nearer.share < 1.0;
     for (var needed = is_seen; needed; needed = false) {
-        farther = crossing_of(outward_leg(outside, orbit, before.near, ray), outside);
+        var near = orbit.inner;
+        if !orbit.reaches_inner {
+            near = before.near;
+        }
+        farther = crossing_of(outward_leg(outside, orbit, near, ray), outside);
     }
     return farther;
 }

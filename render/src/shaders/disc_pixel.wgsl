@@ -35,8 +35,10 @@ fn disc_pixel(id: vec2<u32>) -> vec4<f32> {
     for (var i = 0u; i < count; i++) {
         // In the shadow, nothing is seen beyond the periapsis.
         var outside = Outside(whole, select(1.0, 0.0, rays.along == 0u));
+        var here = orbit;
         for (var several = is_edge; several; several = false) {
             outside = outside_of(i, SUB_RAYS, at);
+            here = orbit_of(outside.seen, 0.0);
         }
         let deflected = deflect_patch(outside.seen.c, outside.seen.p);
         let ray = leaving(deflected);
@@ -48,9 +50,9 @@ fn disc_pixel(id: vec2<u32>) -> vec4<f32> {
         var shares = vec2(0.0, 1.0 - disc.opacity * before.nearer.share);
         let uncovered = (1.0 - covered) * shares.y;
         for (var seen = escapes; seen; seen = false) {
-            let farther = beyond_periapsis(outside.seen, orbit, ray, before);
+            let farther = beyond_periapsis(outside.seen, here, ray, before);
             shares = shares_behind(before.nearer, farther);
-            light += covered * light_of(outside.seen, orbit, farther, shares.x);
+            light += covered * light_of(outside.seen, here, farther, shares.x);
             for (var sky = shares.y > 0.0; sky; sky = false) {
                 let mean = average(print_of(outside.seen, deflected), rays.most_taps);
                 light += covered * shares.y * vec4(seen_light(mean, outside.seen.d), 1.0);

@@ -3,6 +3,7 @@
 use super::scene::ShiftName;
 use super::values::radii;
 use clap::{Args, ValueEnum};
+use lensbake_core::thin_disc::ThinDiscError;
 use lensbake_render::disc::{Disc, DiscError, Orientation};
 use std::sync::LazyLock;
 use thiserror::Error;
@@ -63,8 +64,8 @@ pub enum DiscArgsError {
 /// The flag whose value `error` refuses.
 fn flag_of(error: &DiscError) -> String {
     match error {
-        DiscError::Inner(_) | DiscError::Outer { .. } => "--disc".into(),
-        DiscError::Angle { what, .. } => format!("--{what}"),
+        DiscError::Place(ThinDiscError::Inner(_) | ThinDiscError::Outer { .. }) => "--disc".into(),
+        DiscError::Place(ThinDiscError::Angle { what, .. }) => format!("--{what}"),
         DiscError::OutOfRange { what, .. } => format!("--disc-{what}"),
     }
 }
