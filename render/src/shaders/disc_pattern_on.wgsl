@@ -25,18 +25,18 @@ fn corner_noise(column: i32, row: i32, cells: i32, seed: u32, from_corner: vec2<
 // Gradient noise with cells of size 1, periodic in y after `cells` of them.
 fn cloud_noise(point: vec2<f32>, cells: i32, seed: u32) -> f32 {
     let cell = floor(point);
-    let from = point - cell;
-    let weight = from * from * from * (from * (from * 6.0 - 15.0) + 10.0);
+    let within = point - cell;
+    let weight = within * within * within * (within * (within * 6.0 - 15.0) + 10.0);
     let column = i32(cell.x);
     let row = i32(cell.y);
     let low = mix(
-        corner_noise(column, row, cells, seed, from),
-        corner_noise(column + 1, row, cells, seed, from - vec2(1.0, 0.0)),
+        corner_noise(column, row, cells, seed, within),
+        corner_noise(column + 1, row, cells, seed, within - vec2(1.0, 0.0)),
         weight.x,
     );
     let high = mix(
-        corner_noise(column, row + 1, cells, seed, from - vec2(0.0, 1.0)),
-        corner_noise(column + 1, row + 1, cells, seed, from - vec2(1.0, 1.0)),
+        corner_noise(column, row + 1, cells, seed, within - vec2(0.0, 1.0)),
+        corner_noise(column + 1, row + 1, cells, seed, within - vec2(1.0, 1.0)),
         weight.x,
     );
     return mix(low, high, weight.y);
