@@ -12,8 +12,8 @@ mod pattern;
 mod rim;
 mod seen;
 
-pub(crate) use rim::COEFFICIENTS;
 pub use pattern::{angular_velocity, period};
+pub(crate) use rim::COEFFICIENTS;
 pub use rim::Rim;
 pub use seen::{Hit, SeenDisc};
 

@@ -104,9 +104,8 @@ impl Layer {
             let size = (steps[0] * cells_per).length() + (steps[1] * cells_per).length();
             let seen = 1.0 - ((size - 0.4) / 0.8).clamp(0.0, 1.0);
             if seen > 0.0 {
-                sum += strength
-                    * seen
-                    * noise(at * cells_per, cells, self.seed.wrapping_add(octave));
+                sum +=
+                    strength * seen * noise(at * cells_per, cells, self.seed.wrapping_add(octave));
             }
             strength *= 0.6;
         }
@@ -176,7 +175,8 @@ mod tests {
         let pattern = Pattern::at(1.0, 40.0);
         for i in 0..50 {
             let radius = 3.0 + 0.2 * f64::from(i);
-            let change = pattern.factor(&spot(radius, 1e-7)) - pattern.factor(&spot(radius, TAU - 1e-7));
+            let change =
+                pattern.factor(&spot(radius, 1e-7)) - pattern.factor(&spot(radius, TAU - 1e-7));
             assert!(change.abs() < 1e-5, "{change}");
             let coarse = Spot {
                 steps: [DVec2::new(0.5, 0.0), DVec2::new(0.0, 2.0)],

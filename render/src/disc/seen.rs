@@ -149,7 +149,8 @@ impl<'a> SeenDisc<'a> {
         };
         let light = |hit: Option<Hit>, share: f64| {
             hit.map_or(Vec4::ZERO, |hit| {
-                let light = self.disc.light(hit.radius, hit.shift) * self.scale * hit.pattern as f32;
+                let light =
+                    self.disc.light(hit.radius, hit.shift) * self.scale * hit.pattern as f32;
                 light.extend(1.0) * (opacity * share) as f32
             })
         };

@@ -59,6 +59,9 @@ pub enum DiscArgsError {
     /// A value is out of range.
     #[error("{}: {_0}", flag_of(_0))]
     Value(#[from] DiscError),
+    /// The rate of a film's disc is out of range.
+    #[error("--disc-rate: {0} is not from -{1} to {1} r_s/c per second")]
+    Rate(f64, f64),
 }
 
 /// The flag whose value `error` refuses.
