@@ -146,14 +146,21 @@ fn the_gpu_draws_the_picture_of_the_cpu() {
             height: 270,
             ..View::default()
         };
-        let disc = Disc {
+        let smooth = Disc {
             opacity,
             ..inclined(inclination_deg)
         };
-        for (deflection, sampling) in [
-            (Deflection::Lut, Sampling::Filtered),
-            (Deflection::Lut, Sampling::Single),
-            (Deflection::Flat, Sampling::Filtered),
+        let cloudy = Disc {
+            pattern: 0.8,
+            time: 1234.5,
+            ..smooth
+        };
+        for (deflection, sampling, disc) in [
+            (Deflection::Lut, Sampling::Filtered, smooth),
+            (Deflection::Lut, Sampling::Single, smooth),
+            (Deflection::Flat, Sampling::Filtered, smooth),
+            (Deflection::Lut, Sampling::Filtered, cloudy),
+            (Deflection::Flat, Sampling::Filtered, cloudy),
         ] {
             let lens: Lens = lens(&view, deflection);
             let scene = Scene::new(lens, grid.clone())
@@ -167,7 +174,8 @@ fn the_gpu_draws_the_picture_of_the_cpu() {
                     different(&drawn, &reference, 8),
                 );
                 println!(
-                    "r {radius} {motion} {inclination_deg}° {deflection:?} {sampling:?} {pass:?}: {some} {many}"
+                    "r {radius} {motion} {inclination_deg}° {deflection:?} {sampling:?} {pass:?}, pattern {}: {some} {many}",
+                    disc.pattern
                 );
                 // One ray may be on the other side of an edge. The filter of a GPU's hardware has weights of 8 bits, which
                 // changes some edges of the grid by two levels.

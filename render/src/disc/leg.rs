@@ -126,7 +126,7 @@ impl Leg {
     }
 
     /// The direction of the point at `phase`.
-    fn direction(&self, phase: f64) -> DVec2 {
+    pub(crate) fn direction(&self, phase: f64) -> DVec2 {
         let (sin, cos) = phase.sin_cos();
         DVec2::new(
             self.sky.x * cos + self.sky.y * sin,

@@ -8,9 +8,11 @@
 mod coverage;
 mod leg;
 mod light;
+mod pattern;
 mod rim;
 mod seen;
 
+pub use pattern::{angular_velocity, period};
 pub(crate) use rim::COEFFICIENTS;
 pub use rim::Rim;
 pub use seen::{Hit, SeenDisc};
@@ -41,6 +43,12 @@ pub struct Disc {
     pub brightness: f64,
     /// What of its frequency shift is shown, which does not depend on that of the sky.
     pub shift: Shift,
+    /// Contrast of a pattern of clouds that turns with its matter, 0 to 1: the light is from 1 − `pattern` to 1 + `pattern`
+    /// times what it is without one, and as much in the mean.
+    pub pattern: f64,
+    /// The time of the pattern, r_s/c: coordinate time, that of an observer at rest at infinity. The time that the light
+    /// takes to the camera is left out.
+    pub time: f64,
 }
 
 /// The direction of a disc's axis in the sky frame, by the angles in which a camera sees it that looks at the hole. Its
@@ -71,6 +79,8 @@ impl Default for Disc {
             peak_kelvin: 5000.0,
             brightness: 1.0,
             shift: Shift::Colour,
+            pattern: 0.0,
+            time: 0.0,
         }
     }
 }
@@ -78,10 +88,19 @@ impl Default for Disc {
 impl Orientation {
     /// The unit vector of the axis in the sky frame.
     pub fn axis(&self) -> DVec3 {
-        let [orbit, latitude] = self.seen_from_deg.map(f64::to_radians);
-        let sky_from_hole = DMat3::from_rotation_y(orbit) * DMat3::from_rotation_x(-latitude);
         let seen = thin_disc::axis(self.inclination_deg, self.node_deg);
-        sky_from_hole * DVec3::from_array(seen)
+        self.sky_from_seen() * DVec3::from_array(seen)
+    }
+
+    /// The unit vector along the line of nodes in the sky frame, to the right for a node of 0: the azimuth 0 of the disc.
+    pub fn node(&self) -> DVec3 {
+        let (sin, cos) = self.node_deg.to_radians().sin_cos();
+        self.sky_from_seen() * DVec3::new(cos, sin, 0.0)
+    }
+
+    fn sky_from_seen(&self) -> DMat3 {
+        let [orbit, latitude] = self.seen_from_deg.map(f64::to_radians);
+        DMat3::from_rotation_y(orbit) * DMat3::from_rotation_x(-latitude)
     }
 }
 
@@ -112,6 +131,10 @@ impl Disc {
     pub const KELVINS: RangeInclusive<f64> = crate::shift::KELVINS;
     /// Valid brightnesses.
     pub const BRIGHTNESSES: RangeInclusive<f64> = 0.0..=1e4;
+    /// Valid contrasts of the pattern.
+    pub const PATTERNS: RangeInclusive<f64> = 0.0..=1.0;
+    /// Valid times of the pattern, r_s/c.
+    pub const TIMES: RangeInclusive<f64> = -1e9..=1e9;
 
     /// Checks all values.
     ///
@@ -129,6 +152,8 @@ impl Disc {
             ("opacity", self.opacity, Self::OPACITIES),
             ("temperature", self.peak_kelvin, Self::KELVINS),
             ("brightness", self.brightness, Self::BRIGHTNESSES),
+            ("pattern", self.pattern, Self::PATTERNS),
+            ("time", self.time, Self::TIMES),
         ] {
             if !range.contains(&value) {
                 let (least, most) = range.into_inner();
@@ -184,6 +209,8 @@ mod tests {
             (|d| d.opacity = -0.1, "opacity -0.1"),
             (|d| d.peak_kelvin = -5000.0, "temperature -5000"),
             (|d| d.brightness = f64::NAN, "brightness NaN"),
+            (|d| d.pattern = 1.5, "pattern 1.5"),
+            (|d| d.time = f64::INFINITY, "time inf"),
         ] {
             let problem = message(change).unwrap_err();
             assert!(problem.contains(found), "{problem}");

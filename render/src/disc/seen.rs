@@ -1,6 +1,7 @@
 //! A disc as a camera sees it: where the rays of a patch of the picture meet it, and the light that they bring.
 
 use super::leg::{AxisInPlane, Crossing, End, Leg, Varying};
+use super::pattern::{Pattern, Spot};
 use super::{Disc, Rim};
 use crate::camera::ViewAngle;
 use crate::footprint::Patch;
@@ -24,6 +25,8 @@ pub struct SeenDisc<'a> {
     shadow: Shadow,
     /// Factor of its light.
     scale: f32,
+    /// Its pattern, if it has one, and the unit vector towards its azimuth 0 in the hole frame.
+    pattern: Option<(Pattern, DVec3)>,
 }
 
 /// Where rays meet the disc.
@@ -38,6 +41,8 @@ pub struct Hit {
     /// If the leg ends at the periapsis: the shares of the patch in which its other end and the periapsis are above the
     /// plane of the disc. There the two legs of a ray exclude each other in part.
     pub(crate) at_periapsis: Option<[f64; 2]>,
+    /// Factor of the light by the pattern of the disc; 1 without one.
+    pub pattern: f64,
     /// Image order: the number of half turns of the orbital angle between the observer and the disc, 0 for the direct
     /// image.
     pub order: u32,
@@ -71,7 +76,19 @@ impl<'a> SeenDisc<'a> {
                 Shift::Off => 1.0,
                 Shift::Brightness | Shift::Colour => rendition.light_scale,
             },
+            pattern: (disc.pattern > 0.0).then(|| {
+                let hole_from_sky = lens.camera.sky_from_hole.transpose();
+                (
+                    Pattern::at(disc.pattern, disc.time),
+                    hole_from_sky * disc.orientation.node(),
+                )
+            }),
         }
+    }
+
+    /// The pattern, if there is one, and the unit vector towards the azimuth 0 in the hole frame.
+    pub(crate) fn pattern(&self) -> Option<(Pattern, DVec3)> {
+        self.pattern
     }
 
     /// Unit vector of its axis in the hole frame.
@@ -132,7 +149,8 @@ impl<'a> SeenDisc<'a> {
         };
         let light = |hit: Option<Hit>, share: f64| {
             hit.map_or(Vec4::ZERO, |hit| {
-                let light = self.disc.light(hit.radius, hit.shift) * self.scale;
+                let light =
+                    self.disc.light(hit.radius, hit.shift) * self.scale * hit.pattern as f32;
                 light.extend(1.0) * (opacity * share) as f32
             })
         };
@@ -197,7 +215,7 @@ impl<'a> SeenDisc<'a> {
         };
         let crossing = leg.crossing(patch, None)?;
         let angle = (crossing.phase - behind.phase()).max(0.0);
-        Some(self.hit(crossing, &leg, &orbit, patch, angle))
+        Some(self.hit(crossing, &leg, &orbit, patch, (-1.0, angle)))
     }
 
     /// Where the rays of `patch` meet the disc on their way out to the sky, after their periapsis. `deflected` is where
@@ -233,18 +251,28 @@ impl<'a> SeenDisc<'a> {
         let crossing = leg.crossing(patch, Some(from_shadow))?;
         let total = PI - patch.view_angle.radians() + deflected.bend;
         let angle = (total - crossing.phase).max(0.0);
-        Some(self.hit(crossing, &leg, &orbit, patch, angle))
+        Some(self.hit(crossing, &leg, &orbit, patch, (1.0, angle)))
     }
 
-    /// The hit at the orbital angle `angle` from the observer.
-    fn hit(&self, crossing: Crossing, leg: &Leg, orbit: &Orbit, patch: &Patch, angle: f64) -> Hit {
-        let inv_b = orbit.inv_b_sq.value.sqrt();
-        let u = match self.lens.deflection {
-            Deflection::Lut | Deflection::Direct { .. } => {
-                orbit::inverse_radius(inv_b, crossing.phase)
-            }
-            Deflection::Flat => inv_b * crossing.phase.sin(),
-        };
+    /// u of the ray with 1/b = `inv_b` at `phase`.
+    fn inverse_radius(&self, inv_b: f64, phase: f64) -> f64 {
+        match self.lens.deflection {
+            Deflection::Lut | Deflection::Direct { .. } => orbit::inverse_radius(inv_b, phase),
+            Deflection::Flat => inv_b * phase.sin(),
+        }
+    }
+
+    /// The hit at the orbital angle `angle` from the observer. The leg's unit vector e is `side` times that towards the view
+    /// direction.
+    fn hit(
+        &self,
+        crossing: Crossing,
+        leg: &Leg,
+        orbit: &Orbit,
+        patch: &Patch,
+        (side, angle): (f64, f64),
+    ) -> Hit {
+        let u = self.inverse_radius(orbit.inv_b_sq.value.sqrt(), crossing.phase);
         let radius = 1.0 / u.clamp(self.outer.u, self.inner.u);
         // b (e × Z) · axis.
         let momentum =
@@ -254,8 +282,40 @@ impl<'a> SeenDisc<'a> {
             at_periapsis: matches!(leg.near, End::Periapsis(_)).then_some(crossing.above),
             radius,
             shift: self.lens.frequency_shift(patch.direction) / emitted_frequency(radius, momentum),
+            pattern: self.pattern.map_or(1.0, |(pattern, node)| {
+                let at = leg.direction(crossing.phase);
+                let e = DVec2::new(patch.tangential.y, -patch.tangential.x) * side;
+                let point = (e * at.y).extend(at.x);
+                let ahead = self.axis.cross(node);
+                pattern.factor(&Spot {
+                    radius,
+                    azimuth: point.dot(ahead).atan2(point.dot(node)),
+                    steps: self.steps(crossing.phase, leg, orbit, patch),
+                })
+            }),
             order: (angle / PI) as u32,
         }
+    }
+
+    /// How (ln r, azimuth) on the disc change across `patch`, to the right and downwards.
+    ///
+    /// The angle φ at which a ray's plane meets the disc depends on the azimuth χ of that plane alone: out cos φ + aside
+    /// sin φ = 0 gives dφ/dχ, and the azimuth on the disc changes by −sin φ dχ/(aside cos φ − out sin φ). The phase changes
+    /// with φ_∞, and ln r with the phase and 1/b; these two by differences of 1 %.
+    fn steps(&self, phase: f64, leg: &Leg, orbit: &Orbit, patch: &Patch) -> [DVec2; 2] {
+        let at = leg.direction(phase);
+        let AxisInPlane { out, aside, across } = leg.axis;
+        let speed = aside * at.x - out * at.y;
+        let speed = speed.abs().max(1e-6).copysign(speed);
+        let inv_b = orbit.inv_b_sq.value.sqrt();
+        let u = self.inverse_radius(inv_b, phase);
+        let by_inv_b = (self.inverse_radius(1.01 * inv_b, phase) / u - 1.0) / 0.01;
+        let by_phase = (1.0 - self.inverse_radius(inv_b, 0.99 * phase) / u) / (0.01 * phase);
+        let relative = 0.5 * orbit.inv_b_sq.slope / orbit.inv_b_sq.value;
+        let radial = DVec2::new(-(by_inv_b * relative + by_phase * leg.turn), 0.0);
+        let tangential = DVec2::new(-by_phase * across, -1.0)
+            * (at.y / (speed * patch.view_angle.sin.max(1e-12)));
+        [patch.right, patch.down].map(|step| radial * step.x + tangential * step.y)
     }
 
     fn orbit(&self, angle: ViewAngle) -> Orbit {

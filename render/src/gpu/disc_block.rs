@@ -24,7 +24,14 @@ struct DiscBlock {
     inverse_kelvin: f32,
     shifts_brightness: f32,
     shifts_colour: f32,
-    padding: [f32; 3],
+    contrast: f32,
+    padding: [f32; 2],
+    node: [f32; 3],
+    padding_of_node: f32,
+    ages: [f32; 2],
+    weights: [f32; 2],
+    seeds: [u32; 2],
+    padding_of_end: [f32; 2],
 }
 
 /// Bytes of the uniform block of a disc.
@@ -41,6 +48,7 @@ impl DiscBlock {
         for (phase, coefficient) in phases.iter_mut().zip(coefficients) {
             *phase = coefficient as f32;
         }
+        let (pattern, node) = seen.pattern().unwrap_or_default();
         let relative = 1.0 / page_thorne(BRIGHTEST_RADIUS);
         let shows = |shift: bool| if shift { 1.0 } else { 0.0 };
         DiscBlock {
@@ -56,7 +64,14 @@ impl DiscBlock {
             inverse_kelvin: (1.0 / disc.peak_kelvin) as f32,
             shifts_brightness: shows(disc.shift != Shift::Off),
             shifts_colour: shows(disc.shift == Shift::Colour),
-            padding: [0.0; 3],
+            contrast: pattern.contrast as f32,
+            padding: [0.0; 2],
+            node: node.as_vec3().to_array(),
+            padding_of_node: 0.0,
+            ages: pattern.layers.map(|layer| layer.age as f32),
+            weights: pattern.layers.map(|layer| layer.weight as f32),
+            seeds: pattern.layers.map(|layer| layer.seed),
+            padding_of_end: [0.0; 2],
         }
     }
 }
@@ -114,6 +129,11 @@ mod tests {
             inverse_kelvin,
             shifts_brightness,
             shifts_colour,
+            contrast,
+            node,
+            ages,
+            weights,
+            seeds,
         );
     }
 }

@@ -34,7 +34,7 @@ impl Prepared {
         let stars = stars.filter(|_| renderer.draws_stars_through(lens));
         let shift = scene.rendition.shift;
         let key = PipelineKey::of(lens, output, Store::Buffer, stars.is_some(), shift)
-            .with_disc(scene.disc.is_some());
+            .with_disc(scene.disc.as_ref());
         let mut prepared = Prepared {
             program: renderer.program(key),
             sky: Some(scene.sky.clone()),

@@ -147,7 +147,7 @@ impl RealtimeRenderer {
                 motion,
                 scene.rendition.shift,
             )
-            .with_disc(scene.disc.is_some());
+            .with_disc(scene.disc.as_ref());
             let program = self.renderer.program(key);
             for region in part.bands(dispatch_pixels(deflection)) {
                 regions.push(region);

@@ -3,6 +3,7 @@
 use super::camera_key::CameraKey;
 use super::pass::Pass;
 use super::stars;
+use crate::disc::Disc;
 use crate::lens::{Deflection, Lens};
 use crate::scene::Sampling;
 use crate::shaders::Modules;
@@ -69,6 +70,8 @@ pub struct PipelineKey {
     shift: Shift,
     /// Whether it draws a disc in front of the sky.
     pub(super) disc: bool,
+    /// Whether the disc has a pattern.
+    pattern: bool,
 }
 
 /// Names of the modules that depend on the key.
@@ -114,13 +117,16 @@ impl PipelineKey {
                 Output::Picture(_) | Output::Difference => shift,
             },
             disc: false,
+            pattern: false,
         }
     }
 
-    /// The same key with a disc or without. Only pictures show one.
-    pub fn with_disc(self, disc: bool) -> Self {
+    /// The same key with this disc or without one. Only pictures show one.
+    pub fn with_disc(self, disc: Option<&Disc>) -> Self {
+        let disc = disc.filter(|_| matches!(self.output, Output::Picture(_)));
         PipelineKey {
-            disc: disc && matches!(self.output, Output::Picture(_)),
+            disc: disc.is_some(),
+            pattern: disc.is_some_and(|disc| disc.pattern > 0.0),
             ..self
         }
     }
@@ -156,6 +162,7 @@ impl PipelineKey {
             stars: false,
             camera: self.camera.without_radial_motion(),
             shift: Shift::Off,
+            pattern: false,
             ..self
         })
     }
@@ -287,6 +294,14 @@ impl PipelineKey {
             alias_module(match self.deflection {
                 DeflectionKey::Lut | DeflectionKey::Direct { .. } => "disc_bent",
                 DeflectionKey::Flat => "disc_flat",
+            }),
+        );
+        modules.define(
+            "disc_pattern",
+            alias_module(if self.pattern {
+                "disc_pattern_on"
+            } else {
+                "disc_pattern_off"
             }),
         );
         modules.define(

@@ -88,9 +88,16 @@ fn every_shader_is_valid() {
 
 #[test]
 fn every_shader_with_a_disc_is_valid() {
-    let keys = keys().into_iter().filter(|key| key.with_disc(true).disc);
+    let patterned = Disc {
+        pattern: 0.5,
+        ..Disc::default()
+    };
+    let discs = [Disc::default(), patterned];
+    let keys = keys().into_iter();
+    let keys = keys.flat_map(|key| discs.map(|disc| key.with_disc(Some(&disc))));
     let mut count = 0;
-    for key in keys.map(|key| key.with_disc(true)) {
+    for key in keys.filter(|key| key.disc) {
+        assert_eq!(key.source().contains("fn cloud_noise"), key.pattern);
         match key.classifier() {
             // The modules that the tiles share with pictures without a disc have its entry points, too.
             Some(classifier) => {
@@ -103,7 +110,7 @@ fn every_shader_with_a_disc_is_valid() {
         }
         count += 1;
     }
-    assert_eq!(count, 720);
+    assert_eq!(count, 1440);
 }
 
 /// A scene without a disc pays nothing for those that have one: not a byte of its shaders.

@@ -20,4 +20,11 @@ struct Disc {
     // 1 where the frequency shift changes the brightness, and the colour; else 0.
     shifts_brightness: f32,
     shifts_colour: f32,
+    // Contrast of its pattern, and the unit vector towards its azimuth 0 in the hole frame.
+    contrast: f32,
+    node: vec3<f32>,
+    // Of the two layers of the pattern: their ages, their weights, and what their noise begins with.
+    ages: vec2<f32>,
+    weights: vec2<f32>,
+    seeds: vec2<u32>,
 }

@@ -45,9 +45,13 @@ struct Crossing {
     above: vec2<f32>,
     // 1 if the near end is the periapsis.
     at_periapsis: f32,
+    // Of its leg: (cos φ_∞, sin φ_∞), dφ_∞/dθ, and its side.
+    sky: vec2<f32>,
+    turn: f32,
+    side: f32,
 }
 
-const NO_CROSSING: Crossing = Crossing(0.0, 0.0, vec2<f32>(0.0), 0.0);
+const NO_CROSSING: Crossing = Crossing(0.0, 0.0, vec2<f32>(0.0), 0.0, vec2<f32>(0.0), 0.0, 0.0);
 const FAST_TURN: f32 = 0.25;
 
 // The angle in [0, 2π) of the unit vector v.
@@ -102,5 +106,8 @@ fn crossing_of(leg: Leg, seen: Patch) -> Crossing {
         clamp(phase, low, high),
         above,
         select(0.0, 1.0, leg.near.kind == AT_PERIAPSIS),
+        leg.sky,
+        leg.turn,
+        leg.side,
     );
 }

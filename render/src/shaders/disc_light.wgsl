@@ -2,6 +2,7 @@
 // #import constants
 // #import disc
 // #import disc_hits
+// #import disc_pattern
 // #import frequency_shift
 
 // Page and Thorne's flux without its factor, x = 2r.
@@ -27,9 +28,10 @@ fn emitted_frequency(r: f32, momentum: f32) -> f32 {
 }
 
 // The light of the disc where a leg of the rays of a patch crosses it.
-fn disc_light(seen: Patch, orbit: Orbit, phase: f32) -> vec3<f32> {
-    let u = orbit_inverse_radius(sqrt(orbit.inv_b_sq.value), phase);
-    let r = 1.0 / clamp(u, disc.outer_u, disc.inner_u);
+fn disc_light(seen: Patch, orbit: Orbit, crossing: Crossing) -> vec3<f32> {
+    let reached = orbit_inverse_radius(sqrt(orbit.inv_b_sq.value), crossing.phase);
+    let u = clamp(reached, disc.outer_u, disc.inner_u);
+    let r = 1.0 / u;
     let momentum = (seen.d.y * disc.axis.x - seen.d.x * disc.axis.y) * orbit.by_sine;
     let g = frequency_shift(seen.d) / emitted_frequency(r, momentum);
     let flux = disc_flux(r);
@@ -37,5 +39,5 @@ fn disc_light(seen: Patch, orbit: Orbit, phase: f32) -> vec3<f32> {
     let seen_kelvin = select(1.0, g, disc.shifts_colour > 0.0);
     let relative = max(disc.relative * flux, 1e-20);
     let inverse = disc.inverse_kelvin / (seen_kelvin * sqrt(sqrt(relative)));
-    return black_body(inverse) * (disc.luminance * flux * brightening);
+    return black_body(inverse) * (disc.luminance * flux * brightening * disc_pattern(seen, orbit, crossing, u));
 }

@@ -61,7 +61,7 @@ fn shares_behind(nearer: Crossing, farther: Crossing) -> vec2<f32> {
 fn light_of(seen: Patch, orbit: Orbit, crossing: Crossing, share: f32) -> vec4<f32> {
     var light = vec4(0.0);
     if share > 0.0 {
-        light = vec4(disc_light(seen, orbit, crossing.phase), 1.0) * (disc.opacity * share);
+        light = vec4(disc_light(seen, orbit, crossing), 1.0) * (disc.opacity * share);
     }
     return light;
 }

@@ -55,6 +55,8 @@ const FILES: &[(&str, &str)] = files![
     "disc_leg",
     "disc_light",
     "disc_over",
+    "disc_pattern_off",
+    "disc_pattern_on",
     "disc_pixel",
     "filter",
     "filtered_disc",

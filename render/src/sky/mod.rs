@@ -20,6 +20,7 @@ mod memory;
 mod mip_chain;
 mod nebula;
 mod noise;
+pub(crate) use noise::hash;
 mod openexr;
 mod panorama;
 mod starmap;

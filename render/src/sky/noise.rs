@@ -17,7 +17,7 @@ const Y_FACTOR: u32 = 0xa54f_f53b;
 const Z_FACTOR: u32 = 0x510e_527f;
 
 /// Mixes the bits of `x`; a bijection. The factors are the fractional bits of √2 and √3.
-pub(super) fn hash(x: u32) -> u32 {
+pub(crate) fn hash(x: u32) -> u32 {
     let x = (x ^ (x >> 16)).wrapping_mul(0x6a09_e667);
     let x = (x ^ (x >> 15)).wrapping_mul(0xbb67_ae85);
     x ^ (x >> 16)

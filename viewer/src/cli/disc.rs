@@ -42,6 +42,12 @@ pub struct DiscArgs {
     /// What of the frequency shift of the disc's light is shown, which --shift does not change [default: colour].
     #[arg(long, value_enum)]
     pub disc_shift: Option<ShiftName>,
+    /// Contrast of a pattern of clouds on the disc, which turns with its matter, from 0 to 1 [default: 0, a smooth disc].
+    #[arg(long, value_name = "CONTRAST", allow_negative_numbers = true)]
+    pub disc_pattern: Option<f64>,
+    /// Time at which the pattern is shown, in r_s/c: the inner rim at r = 3 turns once in 46.2 [default: 0].
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    pub disc_time: Option<f64>,
 }
 
 /// Why there can be no such disc.
@@ -53,6 +59,9 @@ pub enum DiscArgsError {
     /// A value is out of range.
     #[error("{}: {_0}", flag_of(_0))]
     Value(#[from] DiscError),
+    /// The rate of a film's disc is out of range.
+    #[error("--disc-rate: {0} is not from -{1} to {1} r_s/c per second")]
+    Rate(f64, f64),
 }
 
 /// The flag whose value `error` refuses.
@@ -89,6 +98,8 @@ impl DiscArgs {
             peak_kelvin: self.disc_temperature.unwrap_or(default.peak_kelvin),
             brightness: self.disc_brightness.unwrap_or(default.brightness),
             shift: self.disc_shift.map_or(default.shift, Into::into),
+            pattern: self.disc_pattern.unwrap_or(default.pattern),
+            time: self.disc_time.unwrap_or(default.time),
         };
         disc.check()?;
         Ok(Some(disc))
@@ -103,6 +114,8 @@ impl DiscArgs {
             ("--disc-temperature", self.disc_temperature.is_some()),
             ("--disc-brightness", self.disc_brightness.is_some()),
             ("--disc-shift", self.disc_shift.is_some()),
+            ("--disc-pattern", self.disc_pattern.is_some()),
+            ("--disc-time", self.disc_time.is_some()),
         ];
         let given = options.into_iter().find(|(_, is_given)| *is_given);
         given.map(|(name, _)| name)
@@ -111,7 +124,7 @@ impl DiscArgs {
 
 /// All options of this disc with their values, by name without dashes. The place from which it is seen is that of the
 /// camera's options.
-pub fn options_of(disc: &Disc) -> [(&'static str, String); 7] {
+pub fn options_of(disc: &Disc) -> [(&'static str, String); 9] {
     let angles = disc.orientation;
     [
         ("disc", radii_text(disc)),
@@ -121,6 +134,8 @@ pub fn options_of(disc: &Disc) -> [(&'static str, String); 7] {
         ("disc-temperature", disc.peak_kelvin.to_string()),
         ("disc-brightness", disc.brightness.to_string()),
         ("disc-shift", shift_name(disc)),
+        ("disc-pattern", disc.pattern.to_string()),
+        ("disc-time", disc.time.to_string()),
     ]
 }
 
@@ -184,6 +199,8 @@ mod tests {
             peak_kelvin: 4321.5,
             brightness: 2.5,
             shift: Shift::Brightness,
+            pattern: 0.4,
+            time: -12.5,
         };
         let options = options_of(&disc).map(|(name, value)| format!("--{name}={value}"));
         let arguments: Vec<&str> = options.iter().map(String::as_str).collect();

@@ -94,6 +94,10 @@ pub struct FilmArgs {
     /// The disc around the hole.
     #[command(flatten)]
     pub disc: DiscArgs,
+    /// Time of the disc's pattern that passes in a second of the film, in r_s/c; it begins with --disc-time and is the same for
+    /// all paths, also where the camera's own clock is slow [default: the inner rim turns once in 10 s].
+    #[arg(long, value_name = "R", allow_negative_numbers = true)]
+    pub disc_rate: Option<f64>,
     /// What an .exr records of these options; `None` if a value is not UTF-8.
     #[arg(skip)]
     pub recorded: Option<RecordedOptions>,

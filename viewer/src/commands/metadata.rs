@@ -179,7 +179,7 @@ fn disc(disc: &Disc) -> String {
     let [orbit, latitude] = angles.seen_from_deg;
     format!(
         "r = {} to {} Schwarzschild radii, inclination {}° and node {}° from orbit {orbit}°, latitude {latitude}°, \
-         opacity {}, {} K and brightness {} where it is hottest, frequency shift {}",
+         opacity {}, {} K and brightness {} where it is hottest, frequency shift {}, pattern of contrast {} at {} r_s/c",
         disc.inner,
         disc.outer,
         angles.inclination_deg,
@@ -187,6 +187,8 @@ fn disc(disc: &Disc) -> String {
         disc.opacity,
         disc.peak_kelvin,
         disc.brightness,
-        shift_name(disc)
+        shift_name(disc),
+        disc.pattern,
+        disc.time
     )
 }

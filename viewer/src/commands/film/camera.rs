@@ -31,7 +31,10 @@ pub(super) struct FilmCamera<'a> {
     /// Whether the frames keep all light, so that exposure does not change them.
     pub(super) keeps_light: bool,
     pub(super) sky: Arc<Sky>,
+    /// The disc at the beginning of the film.
     pub(super) disc: Option<Disc>,
+    /// How much time of the disc's pattern passes in a second of the film, r_s/c.
+    pub(super) disc_rate: f64,
     /// The GPU's renderer; the CPU draws without one.
     pub(super) renderer: Option<Renderer>,
 }
@@ -57,9 +60,9 @@ impl FilmCamera<'_> {
         let shot = self.plan.shot(frame);
         let (rendition, exposure) = self.exposed(&shot)?;
         let mut latent = Latent::new(frame, shot.view, rendition, exposure);
-        for shot in self.plan.moments(frame) {
+        for (time, shot) in self.plan.moments(frame) {
             let lens = self.lens(&shot.view)?;
-            latent.add(self.draw(lens, rendition)?, shot.view);
+            latent.add(self.draw(lens, rendition, self.disc_at(time))?, shot.view);
         }
         Ok(latent)
     }
@@ -105,15 +108,28 @@ impl FilmCamera<'_> {
         Ok((rendition, sum.clamp(*EXPOSURES.start(), *EXPOSURES.end())))
     }
 
+    /// The disc `time` seconds after the beginning of the film.
+    pub(super) fn disc_at(&self, time: f64) -> Option<Disc> {
+        self.disc.map(|disc| Disc {
+            time: disc.time + self.disc_rate * time,
+            ..disc
+        })
+    }
+
     /// Draws without stars: the GPU would add up those of a pixel in another order each time.
-    fn draw(&self, lens: Lens, rendition: Rendition) -> Result<Picture, GpuError> {
+    fn draw(
+        &self,
+        lens: Lens,
+        rendition: Rendition,
+        disc: Option<Disc>,
+    ) -> Result<Picture, GpuError> {
         let scene = Scene {
             lens,
             sampling: self.sampling,
             sky: self.sky.clone(),
             stars: None,
             rendition,
-            disc: self.disc,
+            disc,
         };
         match &self.renderer {
             Some(renderer) => block_on(renderer.picture(&scene, |_| ())),

@@ -13,11 +13,12 @@ mod video;
 pub use error::FilmError;
 
 use super::{CommandError, check_device, gpu_for, metadata, named, renderer, star_field, table};
-use crate::cli::{DeviceName, FilmArgs};
+use crate::cli::{DeviceName, DiscArgsError, FilmArgs};
 use camera::FilmCamera;
 use lensbake_program::output::{Output, OutputError};
 use lensbake_program::{Outcome, message};
 use lensbake_render::camera::Camera;
+use lensbake_render::disc::{Disc, angular_velocity};
 use lensbake_render::sky;
 use lensbake_render::stars::SortedStars;
 use pipeline::Summary;
@@ -26,6 +27,11 @@ use slate::Slate;
 use std::sync::Arc;
 use target::Target;
 
+/// Largest rate of a disc, r_s/c per second.
+const MAX_DISC_RATE: f64 = 1e6;
+/// Time in which the inner rim of a disc turns once in a film unless the user names its rate, s.
+const SECONDS_PER_TURN: f64 = 10.0;
+
 pub fn run(args: &FilmArgs) -> Result<Outcome, CommandError> {
     let projection = args.drawing.projection;
     projection
@@ -33,6 +39,7 @@ pub fn run(args: &FilmArgs) -> Result<Outcome, CommandError> {
         .map_err(CommandError::Projection)?;
     // The camera flies round a disc that stays.
     let disc = args.disc.disc([0.0; 2])?;
+    check_disc_rate(args)?;
     if let Some(file) = &args.save_path {
         let output = Output::new(file)?;
         spare_inputs(&output, args)?;
@@ -68,6 +75,7 @@ pub fn run(args: &FilmArgs) -> Result<Outcome, CommandError> {
         keeps_light: film.target.keeps_light(),
         sky: sky.clone(),
         disc,
+        disc_rate: disc_rate(args, disc.as_ref()),
         renderer: renderer.clone(),
     });
     let takes: Vec<(FilmCamera, &Film)> = cameras.zip(&films).collect();
@@ -96,6 +104,24 @@ pub fn run(args: &FilmArgs) -> Result<Outcome, CommandError> {
         }
     }
     Ok(all)
+}
+
+/// Checks that --disc-rate is a rate, and that there is a disc for it.
+fn check_disc_rate(args: &FilmArgs) -> Result<(), DiscArgsError> {
+    match args.disc_rate {
+        None => Ok(()),
+        Some(_) if args.disc.disc.is_none() => Err(DiscArgsError::NoDisc("--disc-rate")),
+        Some(rate) if rate.abs() <= MAX_DISC_RATE => Ok(()),
+        Some(rate) => Err(DiscArgsError::Rate(rate, MAX_DISC_RATE)),
+    }
+}
+
+/// How much time of the pattern of `disc` passes in a second of the film, r_s/c. Unless the user names it, the inner rim turns
+/// once in [`SECONDS_PER_TURN`].
+fn disc_rate(args: &FilmArgs, disc: Option<&Disc>) -> f64 {
+    let inner = disc.map_or(Disc::default().inner, |disc| disc.inner);
+    let turn = std::f64::consts::TAU / angular_velocity(inner);
+    args.disc_rate.unwrap_or(turn / SECONDS_PER_TURN)
 }
 
 /// A film in one projection, and its target.

@@ -63,11 +63,14 @@ impl Plan {
         self.framed(self.flight.shot(self.clock.time(frame), self.size))
     }
 
-    /// The shots at the moments of `frame` at which the shutter is open.
-    pub(super) fn moments(&self, frame: u32) -> impl Iterator<Item = Shot> {
+    /// The shots at the moments of `frame` at which the shutter is open, with these moments, s.
+    pub(super) fn moments(&self, frame: u32) -> impl Iterator<Item = (f64, Shot)> {
         let time = self.clock.time(frame);
         let times = self.shutter.times(time, self.clock.period());
-        times.map(move |moment| self.framed(self.flight.shot_during(time, moment, self.size)))
+        times.map(move |moment| {
+            let shot = self.flight.shot_during(time, moment, self.size);
+            (moment, self.framed(shot))
+        })
     }
 
     /// The shot in the projection of the film.

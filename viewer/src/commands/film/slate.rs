@@ -27,11 +27,12 @@ impl Slate<'_> {
         };
         let recorded = args.recorded.clone();
         let recorded = recorded.map(|options| options.with_camera(&frame.view, exposure));
+        let disc = camera.disc_at(camera.plan.clock.time(frame.frame));
         let described = Described {
             light: &args.light,
             drawing: &args.drawing,
             stars: &args.stars,
-            disc: camera.disc.as_ref(),
+            disc: disc.as_ref(),
             budget_px: None,
             recorded: recorded.as_ref(),
         };
