@@ -13,16 +13,16 @@ pub enum Layer {
     /// mirrored; see [`crate::lens::Jacobian::magnification`].
     Magnification,
     /// The image order: how often the light crosses the axis through the camera and the hole; see
-    /// [`ImageOrder::half_windings`].
+    /// [`half_windings`](crate::stars::images::ImageOrder::half_windings).
     Order,
-    /// The place of that direction in a panorama: U, V; see [`panorama_uv`].
+    /// The place of that direction in a panorama: U, V; see [`panorama_uv`](super::panorama_uv).
     Uv,
     /// How much of the pixel shows no sky, because it lies in the shadow or outside the disc of a fisheye: the share of its
     /// area if the picture shows the mean over it, else 1 or 0 at its centre.
     Captured,
     /// The radius, in units of r_s, at which the ray through the pixel's centre meets the disc first, seen from the camera.
     DiscRadius,
-    /// The image order of the disc there: how many half turns around the hole its light makes; see [`Hit::order`].
+    /// The image order of the disc there: how many half turns around the hole its light makes; see [`Hit::order`](crate::disc::Hit::order).
     DiscOrder,
     /// The frequency ratio ν_obs/ν_em of its light from there.
     DiscShift,
