@@ -163,9 +163,9 @@ fn compare(observer: &Observer, row: &GpuRow, input: &[f32; 4], probe: &Probe) {
         let slope = (found[1] - ours.slope).abs();
         bend && (!slopes || slope < (1e-4 + 30.0 * rounding) * (1.0 + ours.slope.abs()))
     };
-    // Straight away from the hole only the slope for footprints is accurate. Of the other, which is a quotient of rounding
-    // errors there, GPUs return different values.
-    let straight_away = c < 0.0 && p.max(x) < 1e-6;
+    // Straight away from the hole, within STRAIGHT_AWAY of lookup.wgsl, only the slope for footprints is accurate. The other
+    // is a quotient of rounding errors there, which differ between GPUs.
+    let straight_away = c < 0.0 && p.max(x) < 1e-3;
     assert!(
         agree([probe.bend, probe.slope], bending, slopes && !straight_away),
         "{at}: {bending:?}"
