@@ -7,7 +7,8 @@ use std::f64::consts::PI;
 pub(crate) fn positive_share(value: f64, right: f64, down: f64) -> f64 {
     let (long, short) = (right.abs().max(down.abs()), right.abs().min(down.abs()));
     let size = value.abs();
-    // The distance at which the edge touches the first, and the last corner.
+    // Within `flat` of the centre the edge crosses two opposite sides, up to `reach` it cuts off a triangle, and beyond it
+    // misses the square.
     let (flat, reach) = (0.5 * (long - short), 0.5 * (long + short));
     let larger = if size >= reach {
         1.0

@@ -42,7 +42,7 @@ pub(crate) struct AxisInPlane {
     pub across: f64,
 }
 
-/// Where a leg begins, seen from the disc.
+/// One end of the part of a leg that can meet the disc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum End {
     /// At the phase of a rim.
@@ -94,7 +94,7 @@ pub(crate) struct Crossing {
 }
 
 impl Leg {
-    /// The crossing in the mean over `patch`; `None` if no part of it sees one. `from_shadow` is the distance of its middle
+    /// Where the leg meets the disc within `patch`; `None` if no part of the patch sees that. `from_shadow` is the distance of its middle
     /// from the edge of the shadow, rad, for a leg that leaves for the sky.
     pub(crate) fn crossing(&self, patch: &Patch, from_shadow: Option<f64>) -> Option<Crossing> {
         let (low, high) = (self.far.phase(), self.near.phase());
@@ -147,7 +147,7 @@ impl Leg {
         let AxisInPlane { out, aside, across } = self.axis;
         match end {
             End::Observer { ahead, .. } => {
-                // Of an observer in the plane of the disc, only the leg beyond him is above it or below.
+                // An observer in the plane of the disc has the height 0; the sign is that of the leg just beyond him.
                 let height = if out == 0.0 { ahead } else { out };
                 if height > 0.0 { 1.0 } else { 0.0 }
             }

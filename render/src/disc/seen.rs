@@ -61,10 +61,7 @@ struct Orbit {
 impl<'a> SeenDisc<'a> {
     /// The disc of a scene through `lens`, in this rendition of its sky.
     pub fn new(lens: &'a Lens, disc: Disc, rendition: Rendition) -> Self {
-        let rim = match lens.deflection {
-            Deflection::Lut | Deflection::Direct { .. } => Rim::bent,
-            Deflection::Flat => Rim::straight,
-        };
+        let rim = |radius| rim_of(lens.deflection, radius);
         SeenDisc {
             lens,
             disc,
@@ -104,11 +101,7 @@ impl<'a> SeenDisc<'a> {
     /// The circle on which the observer is, as a rim; `None` within the inner rim.
     pub(crate) fn observer_circle(&self) -> Option<Rim> {
         let u = self.lens.camera.observer.inverse_radius();
-        let circle = match self.lens.deflection {
-            Deflection::Lut | Deflection::Direct { .. } => Rim::bent,
-            Deflection::Flat => Rim::straight,
-        };
-        (u < self.inner.u).then(|| circle(1.0 / u))
+        (u < self.inner.u).then(|| rim_of(self.lens.deflection, 1.0 / u))
     }
 
     /// The inner and the outer rim.
@@ -318,14 +311,19 @@ impl<'a> SeenDisc<'a> {
         [patch.right, patch.down].map(|step| radial * step.x + tangential * step.y)
     }
 
+    /// The redshift factors of the observer, in the direction of the hole and straight away; 1 without bending.
+    fn redshifts(&self) -> [f64; 2] {
+        match self.lens.deflection {
+            Deflection::Lut | Deflection::Direct { .. } => self.lens.camera.observer.redshifts(),
+            Deflection::Flat => [1.0; 2],
+        }
+    }
+
     fn orbit(&self, angle: ViewAngle) -> Orbit {
         let observer = &self.lens.camera.observer;
         let u = observer.inverse_radius();
         let (cos, sin) = (angle.cos, angle.sin.max(1e-12));
-        let [z_in, z_out] = match self.lens.deflection {
-            Deflection::Lut | Deflection::Direct { .. } => observer.redshifts(),
-            Deflection::Flat => [1.0; 2],
-        };
+        let [z_in, z_out] = self.redshifts();
         // z = z_in cos²(θ/2) + z_out sin²(θ/2), and 1/b = u z / sin θ.
         let (towards, away) = (0.5 * z_in * (1.0 + cos), 0.5 * z_out * (1.0 - cos));
         let redshift = towards + away;
@@ -380,10 +378,7 @@ impl<'a> SeenDisc<'a> {
 
     /// The ray that leaves the observer opposite to the one at this view angle, in the frame of the observer at rest.
     fn opposite(&self, angle: ViewAngle) -> Option<Leaving> {
-        let [z_in, z_out] = match self.lens.deflection {
-            Deflection::Lut | Deflection::Direct { .. } => self.lens.camera.observer.redshifts(),
-            Deflection::Flat => [1.0; 2],
-        };
+        let [z_in, z_out] = self.redshifts();
         // tan(θ′/2) = (z_in/z_out) cot(θ/2).
         let ratio = z_in / z_out;
         let (ahead, behind) = (ratio * ratio * (1.0 + angle.cos), 1.0 - angle.cos);
@@ -409,6 +404,14 @@ struct Leaving {
     sky: DVec2,
     /// dφ_∞/dθ.
     turn: f64,
+}
+
+/// The rim of radius `radius` as this deflection method bends the rays that reach it.
+fn rim_of(deflection: Deflection, radius: f64) -> Rim {
+    match deflection {
+        Deflection::Lut | Deflection::Direct { .. } => Rim::bent(radius),
+        Deflection::Flat => Rim::straight(radius),
+    }
 }
 
 impl Leaving {

@@ -46,7 +46,7 @@ pub struct Workload {
     pub sizes: Vec<(u32, u32)>,
     /// Period of the radius, at each size.
     pub swing: Duration,
-    /// The radius of all frames, instead of the flight's.
+    /// If given, the camera stays at this radius (units of r_s) instead of flying.
     pub radius: Option<f64>,
     /// Minimum number of rounds at each size. In a round, each contender draws one frame from the same radius.
     pub rounds: u32,
