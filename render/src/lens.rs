@@ -5,7 +5,7 @@ use crate::camera::{Camera, ViewAngle};
 use glam::DVec3;
 use lensbake_core::rk4::Stepper;
 use lensbake_core::{BendAndSlope, Observer, RayOutcome, direct, exact};
-use lensbake_tables::{Axis, Row, Table, TableError};
+use lensbake_tables::{Axis, Row, RowFormat, Table, TableError};
 use thiserror::Error;
 
 /// Deflection method.
@@ -136,6 +136,10 @@ pub struct Deflected {
 }
 
 impl Lens {
+    /// Format of the row on a GPU: one load per lookup in place of two. The polynomials are the same, so the errors are,
+    /// too.
+    const ROW_FORMAT: RowFormat = RowFormat::Coefficients;
+
     /// The lens of `camera`, its row interpolated from `table`.
     ///
     /// # Errors
@@ -149,7 +153,7 @@ impl Lens {
         }
         Ok(Lens {
             camera,
-            row: table.row(camera.observer)?,
+            row: table.row(camera.observer)?.in_format(Self::ROW_FORMAT),
             deflection,
         })
     }

@@ -20,21 +20,19 @@ pub struct Bending {
     pub slope: f32,
 }
 
-/// The row coordinate X = x/(x + σ(1−x)) of the unit direction (cos θ, sin θ) = (`c`, `p`), where `c` ≥ −1 and `p` ≥ 0.
-/// Above the horizon it is the normalised shadow coordinate x = tan(θ_c/2) / tan(θ/2), very large at θ = 0.
+/// The row coordinate X = x/(x + σ(1−x)) of the direction (cos θ, sin θ) = (`c`, `p`)/√(c² + p²), where `p` ≥ 0; the vector
+/// (`c`, `p`) need not be normalised. Above the horizon it is the normalised shadow coordinate x = tan(θ_c/2) / tan(θ/2), very large at θ = 0.
 pub fn row_coordinate(c: f32, p: f32, edge: ShadowEdge, side: HorizonSide) -> f32 {
+    let size = (c * c + p * p).sqrt();
+    let (near, far) = if c >= 0.0 {
+        (size + c, p)
+    } else {
+        (p, size - c)
+    };
     match side {
-        HorizonSide::Above => {
-            let cot_half = if c >= 0.0 {
-                (1.0 + c) / p.max(1e-30)
-            } else {
-                p / (1.0 - c)
-            };
-            edge.tan_half * cot_half
-        }
+        HorizonSide::Above => edge.tan_half * (near / far.max(1e-30)),
         HorizonSide::Below => {
-            let (n, m) = if c >= 0.0 { (1.0 + c, p) } else { (p, 1.0 - c) };
-            let n = edge.tan_half * n;
+            let (n, m) = (edge.tan_half * near, far);
             let below = m - (edge.scale - 1.0) * n;
             if n < below { n / below } else { 2.0 }
         }
@@ -89,9 +87,10 @@ impl GpuRow {
         }
     }
 
-    /// The bending in the direction with cos θ = `c` and sin θ = `p`, from a row on the residual axis:
+    /// The bending in the direction (cos θ, sin θ) = (`c`, `p`), from a row on the residual axis:
     /// Δ = R(q) − (1 + weight·d) ln d with X the row coordinate, d = 1 − X, and q the position. The slope is inaccurate straight away from
-    /// the hole: use [`GpuRow::bending_for_footprint`] there.
+    /// the hole: use [`GpuRow::bending_for_footprint`] there. For Δ alone the vector (`c`, `p`) need not be normalised; the
+    /// slope needs a unit vector.
     pub fn bending(&self, c: f32, p: f32) -> RayOutcome<Bending> {
         let x = row_coordinate(c, p, self.edge, self.side);
         if x >= 1.0 {
@@ -161,7 +160,7 @@ pub fn angle(c: f32, p: f32) -> f32 {
     if c < 0.0 { PI - first } else { first }
 }
 
-/// (cos θ′, sin θ′) of the direction turned towards the hole by the bending Δ: θ′ = θ − Δ.
+/// (cos θ′, sin θ′) of the direction turned towards the hole by the bending Δ: θ′ = θ − Δ. As long as (`c`, `p`).
 pub fn turned(c: f32, p: f32, bend: f32) -> [f32; 2] {
     let [cos, sin] = cos_sin(bend);
     [c * cos + p * sin, p * cos - c * sin]

@@ -4,6 +4,7 @@ use super::Region;
 use super::bindings::{bind_group, block_of};
 use super::camera_block::RegionBlock;
 use super::layouts::ComputeLayouts;
+use super::lights::Lights;
 use super::pipelines::ComputeProgram;
 use super::target::Target;
 use super::tile_queues::{PassInputs, WorkQueues};
@@ -58,28 +59,29 @@ impl ComputeResources {
         }
     }
 
-    /// Encodes the dispatches that draw `region`, the one with this index, whose uniform block is at `offset`: the sky and
-    /// the stars of `lights`, and the disc.
+    /// Encodes the dispatches that draw `region`, the one with this index, whose uniform block is at `offset`.
     pub(super) fn draw(
         &self,
         pass: &mut ComputePass,
         program: &ComputeProgram,
-        lights: &[&BindGroup],
-        disc: Option<&BindGroup>,
+        lights: &Lights,
         (index, region, offset): (usize, Region, u32),
     ) {
-        if let (Some(classifier), Some(sky)) = (&program.classifier, lights.first()) {
-            let lights = (*sky, disc);
+        if let (Some(classifier), Some(sky)) = (&program.classifier, lights.sky()) {
+            let lights = (sky, lights.disc);
             self.queues
                 .classify(pass, classifier, lights, region, offset);
         }
         pass.set_bind_group(0, &self.bind_group, &[offset]);
-        for (group, bound) in (1..).zip(lights.iter().copied().chain(disc)) {
+        for (group, bound) in (1..).zip(lights.groups()) {
             pass.set_bind_group(group, bound, &[]);
         }
         for (queue, pipeline) in program.pipelines.iter().enumerate() {
             pass.set_pipeline(pipeline);
             if program.classifier.is_some() {
+                if let Some(sky) = lights.sky_of_queue(queue) {
+                    pass.set_bind_group(1, sky, &[]);
+                }
                 self.queues.draw(pass, index, queue);
             } else {
                 let [across, down] = region.count.map(|n| n.div_ceil(TILE));

@@ -4,6 +4,7 @@ use super::Region;
 use super::bindings::{bind_group, block_of};
 use super::camera_block::RegionBlock;
 use super::layouts::Layouts;
+use super::lights::Lights;
 use super::target::Target;
 use super::tile_queues::PassInputs;
 use super::timestamps::PassTimestamps;
@@ -37,12 +38,12 @@ impl FragmentResources {
         }
     }
 
-    /// Encodes the render pass that draws a region: the sky, the stars and the disc of `lights`.
+    /// Encodes the render pass that draws a region.
     pub(super) fn draw(
         &self,
         encoder: &mut CommandEncoder,
         (label, pipeline): (&str, &RenderPipeline),
-        lights: &[&BindGroup],
+        lights: &Lights,
         drawn: FragmentRegion,
         timestamps: Option<PassTimestamps>,
     ) {
@@ -70,8 +71,8 @@ impl FragmentResources {
         pass.set_scissor_rect(column, row, width, height);
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &self.bind_group, &[drawn.offset]);
-        for (group, bound) in (1..).zip(lights) {
-            pass.set_bind_group(group, *bound, &[]);
+        for (group, bound) in (1..).zip(lights.groups()) {
+            pass.set_bind_group(group, bound, &[]);
         }
         pass.draw(0..3, 0..1);
     }

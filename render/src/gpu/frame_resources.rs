@@ -8,6 +8,7 @@ use super::compute_pass::ComputeResources;
 use super::disc_block::DiscOnDevice;
 use super::fragment_pass::{FragmentRegion, FragmentResources};
 use super::layouts::Layouts;
+use super::lights::Lights;
 use super::pass::Pass;
 use super::pipelines::{Pipelines, Program, ProgramKind};
 use super::renderer::Renderer;
@@ -30,7 +31,6 @@ use wgpu::*;
 /// The resources of pictures of one size.
 #[derive(Debug)]
 pub(super) struct FrameResources {
-    pass: Pass,
     gpu: Gpu,
     pipelines: Arc<Pipelines>,
     target: Target,
@@ -54,7 +54,7 @@ enum Drawing {
 }
 
 impl FrameResources {
-    /// Resources for pictures that are drawn to `target`, in the kind of pass of the renderer.
+    /// Resources for pictures that are drawn to `target`.
     pub(super) fn new(renderer: &Renderer, target: Target) -> Self {
         let gpu = renderer.gpu().clone();
         let pipelines = renderer.pipelines().clone();
@@ -78,11 +78,9 @@ impl FrameResources {
             regions: &region_blocks,
             row: row.view(),
         };
-        let pass = renderer.pass();
-        let layouts = &pipelines.layouts;
-        let drawing = drawing(pass, device, layouts, &inputs, &target, &[]);
+        let drawing =
+            Drawing::Fragment(FragmentResources::new(device, &pipelines.layouts, &inputs));
         FrameResources {
-            pass,
             gpu,
             pipelines,
             target,
@@ -116,19 +114,19 @@ impl FrameResources {
         }
     }
 
-    /// Sets what the next dispatches draw: the view through `lens`, in these regions. The row is uploaded only if
-    /// it differs from the last one. `gain` amplifies a difference.
+    /// Sets what the next programs draw, in this kind of pass: the view through `lens`, in these regions. The row is uploaded
+    /// only if it differs from the last one. `gain` amplifies a difference.
     pub(super) fn show(
         &mut self,
         lens: &Lens,
-        sampling: Sampling,
+        (sampling, pass): (Sampling, Pass),
         rendition: Rendition,
         regions: impl Iterator<Item = Region>,
         gain: f32,
     ) {
         self.regions.clear();
         self.regions.extend(regions);
-        self.make_room(lens.row.shape(), sampling);
+        self.make_room(lens.row.shape(), sampling, pass);
         let queue = &self.gpu.queue;
         let camera = CameraBlock::new(&lens.camera, Shadow::of(lens), rendition.light_scale);
         queue.write_buffer(&self.camera, 0, bytemuck::bytes_of(&camera));
@@ -213,11 +211,13 @@ impl FrameResources {
         let stars = self.stars.as_ref().filter(|_| program.key.stars);
         let lists = stars.filter(|_| index == 0);
         let label = program.key.name();
-        let sky = sky.map(|sky| sky.bind_group(program.key.sampling()));
         let disc = self.disc.as_ref().filter(|_| program.key.disc);
-        let disc = disc.map(DiscOnDevice::bind_group);
-        let mut lights: Vec<&BindGroup> = sky.into_iter().collect();
-        lights.extend(stars.map(StarLists::reading));
+        let lights = Lights {
+            on_sky: sky,
+            sampling: program.key.sampling(),
+            stars: stars.map(StarLists::reading),
+            disc: disc.map(DiscOnDevice::bind_group),
+        };
         let region = self.regions[index];
         let offset = (index as u64 * self.region_stride) as u32;
         if let Some(lists) = lists {
@@ -230,8 +230,7 @@ impl FrameResources {
                 if let Some(lists) = lists {
                     lists.make(&mut pass);
                 }
-                let drawn = (index, region, offset);
-                resources.draw(&mut pass, program, &lights, disc, drawn);
+                resources.draw(&mut pass, program, &lights, (index, region, offset));
             }
             (Drawing::Fragment(resources), ProgramKind::Fragment(pipeline)) => {
                 let mut timestamps = timestamps;
@@ -246,7 +245,6 @@ impl FrameResources {
                     offset,
                     first: index == 0,
                 };
-                lights.extend(disc);
                 let program = (label, pipeline);
                 resources.draw(encoder, program, &lights, drawn, timestamps);
             }
@@ -258,15 +256,18 @@ impl FrameResources {
     }
 
     /// Makes room for a row of this shape, for the uniform blocks of all regions, and for their work queues if the
-    /// picture is filtered. Creates resources anew only for another shape, or if there are more regions or tiles
-    /// than ever before.
-    fn make_room(&mut self, row: RowShape, sampling: Sampling) {
+    /// picture is filtered. Creates resources anew only for another shape or kind of pass, or if there are more regions or
+    /// tiles than ever before.
+    fn make_room(&mut self, row: RowShape, sampling: Sampling, pass: Pass) {
         let blocks = self.regions.len() as u64 * self.region_stride;
-        let queued = match &self.drawing {
-            Drawing::Compute(compute) if sampling.averages() => Some(compute.queues()),
-            Drawing::Compute(_) | Drawing::Fragment(_) => None,
+        let by_tiles = pass == Pass::Compute && sampling.averages();
+        let holds = match (&self.drawing, pass) {
+            (Drawing::Compute(compute), Pass::Compute) => {
+                !by_tiles || compute.queues().holds(&self.regions)
+            }
+            (Drawing::Fragment(_), Pass::Fragment) => true,
+            (Drawing::Compute(_), Pass::Fragment) | (Drawing::Fragment(_), Pass::Compute) => false,
         };
-        let holds = queued.is_none_or(|queues| queues.holds(&self.regions));
         if row == self.row.shape() && blocks <= self.region_blocks.size() && holds {
             return;
         }
@@ -278,18 +279,14 @@ impl FrameResources {
             self.region_blocks = uniform_buffer(device, "regions", blocks);
             self.uploaded_regions.clear();
         }
-        let regions = if queued.is_some() {
-            &self.regions[..]
-        } else {
-            &[]
-        };
+        let regions = if by_tiles { &self.regions[..] } else { &[] };
         let inputs = PassInputs {
             camera: &self.camera,
             regions: &self.region_blocks,
             row: self.row.view(),
         };
         let layouts = &self.pipelines.layouts;
-        self.drawing = drawing(self.pass, device, layouts, &inputs, &self.target, regions);
+        self.drawing = drawing(pass, device, layouts, &inputs, &self.target, regions);
     }
 }
 

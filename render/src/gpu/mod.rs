@@ -12,6 +12,7 @@ mod failure;
 mod fragment_pass;
 mod frame_resources;
 mod layouts;
+mod lights;
 mod needs;
 mod pass;
 mod passes;

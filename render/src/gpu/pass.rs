@@ -1,6 +1,8 @@
 //! The two kinds of passes that draw a picture.
 
 use super::Gpu;
+use super::source::Output;
+use crate::scene::Sampling;
 
 /// How a picture is drawn on a GPU. Both kinds draw the same light, up to rounding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -14,9 +16,12 @@ pub enum Pass {
 }
 
 impl Pass {
-    /// The kind that [`super::Renderer::new`] chooses: compute passes where the device has them.
-    pub fn default_on(gpu: &Gpu) -> Self {
-        if gpu.has_compute() {
+    /// The faster kind for `output` on this device, which [`super::Renderer::new`] chooses: compute passes where there are
+    /// compute shaders, but render passes for pictures of one ray per pixel on a software adapter. `docs/bench.md` has the
+    /// measurements.
+    pub fn fastest_on(gpu: &Gpu, output: Output) -> Self {
+        let single = output == Output::Picture(Sampling::Single);
+        if gpu.has_compute() && !(single && gpu.is_software()) {
             Pass::Compute
         } else {
             Pass::Fragment

@@ -9,7 +9,6 @@ use super::target::Target;
 use super::timestamps::PassTimestamps;
 use super::{GpuError, Passes, Region, ResidentScene, SkyOnDevice};
 use crate::lens::Lens;
-use crate::scene::Sampling;
 use crate::shift::{Rendition, Shift};
 use std::sync::Arc;
 use wgpu::*;
@@ -38,7 +37,7 @@ impl Prepared {
         let mut prepared = Prepared {
             program: renderer.program(key),
             sky: Some(scene.sky.clone()),
-            resources: resources(renderer, lens, scene.sampling, scene.rendition),
+            resources: resources(renderer, lens, output, scene.rendition),
         };
         if let Some(stars) = stars {
             prepared.resources.show_stars(lens, stars, scene.rendition);
@@ -60,7 +59,7 @@ impl Prepared {
                 Shift::Off,
             )),
             sky: None,
-            resources: resources(renderer, lens, Sampling::Single, Rendition::default()),
+            resources: resources(renderer, lens, Output::Trace, Rendition::default()),
         }
     }
 
@@ -83,17 +82,17 @@ impl Prepared {
 fn resources(
     renderer: &Renderer,
     lens: &Lens,
-    sampling: Sampling,
+    output: Output,
     rendition: Rendition,
 ) -> FrameResources {
     let size = [lens.camera.width, lens.camera.height];
     let most = BUFFERED.min(dispatch_pixels(lens.deflection));
     let rows = (most / size[0]).clamp(1, size[1]);
-    let target = Target::regions(renderer, [size[0], rows]);
+    let target = Target::regions(renderer, output, [size[0], rows]);
     let mut resources = FrameResources::new(renderer, target);
     resources.show(
         lens,
-        sampling,
+        (output.sampling(), renderer.pass(output)),
         rendition,
         Region::whole(size).bands(most),
         1.0,

@@ -10,7 +10,6 @@ use super::target::Target;
 use super::timestamps::PassTimestamps;
 use super::{Passes, Region, Renderer, ResidentScene, SkyOnDevice, StarLight};
 use crate::lens::Deflection;
-use crate::scene::Sampling;
 use std::sync::Arc;
 use wgpu::*;
 
@@ -154,12 +153,13 @@ impl RealtimeRenderer {
                 self.programs.push(program.clone());
             }
         }
-        let sampling = match show {
-            FrameContent::Difference { .. } => Sampling::Single,
-            FrameContent::Picture | FrameContent::Split { .. } => scene.sampling,
+        let output = match show {
+            FrameContent::Difference { .. } => Output::Difference,
+            FrameContent::Picture | FrameContent::Split { .. } => Output::Picture(scene.sampling),
         };
+        let drawn = (output.sampling(), self.renderer.pass(output));
         self.resources
-            .show(lens, sampling, scene.rendition, regions.into_iter(), gain);
+            .show(lens, drawn, scene.rendition, regions.into_iter(), gain);
         if let Some(stars) = stars {
             self.resources.show_stars(lens, stars, scene.rendition);
         }

@@ -2,7 +2,7 @@
 
 use super::pass::Pass;
 use super::pipelines::{Pipelines, Program};
-use super::source::PipelineKey;
+use super::source::{Output, PipelineKey};
 use super::stars::StarsOnDevice;
 use super::{Gpu, GpuError, Passes, Prepared, Region, ResidentScene, SkyOnDevice, SkyUpload};
 use crate::camera::Mapping;
@@ -25,7 +25,8 @@ pub type Trace = Vec<RayOutcome<DVec3>>;
 #[derive(Debug, Clone)]
 pub struct Renderer {
     gpu: Gpu,
-    pass: Pass,
+    /// The kind of pass of all pictures; if `None`, the fastest for each.
+    pass: Option<Pass>,
     pipelines: Arc<Pipelines>,
     uploaded: Arc<Mutex<Uploaded>>,
 }
@@ -38,20 +39,19 @@ struct Uploaded {
 }
 
 impl Renderer {
-    /// A renderer on `gpu`, which draws in [`Pass::default_on`].
+    /// A renderer on `gpu`, which draws in [`Pass::fastest_on`].
     pub fn new(gpu: &Gpu) -> Self {
-        Self::with_pass(gpu, Pass::default_on(gpu))
+        Renderer {
+            pipelines: Arc::new(Pipelines::new(gpu)),
+            gpu: gpu.clone(),
+            pass: None,
+            uploaded: Arc::default(),
+        }
     }
 
     /// A renderer on `gpu` that draws in `pass`; in [`Pass::Fragment`] on a device without compute shaders.
     pub fn with_pass(gpu: &Gpu, pass: Pass) -> Self {
-        Renderer {
-            pipelines: Arc::new(Pipelines::new(gpu)),
-            gpu: gpu.clone(),
-            pass: Pass::Fragment,
-            uploaded: Arc::default(),
-        }
-        .in_pass(pass)
+        Self::new(gpu).in_pass(pass)
     }
 
     /// The same renderer, with the same pipelines and uploads, drawing in another kind of pass; in [`Pass::Fragment`]
@@ -62,12 +62,16 @@ impl Renderer {
         } else {
             Pass::Fragment
         };
-        Renderer { pass, ..self }
+        Renderer {
+            pass: Some(pass),
+            ..self
+        }
     }
 
-    /// The kind of pass that it draws in.
-    pub fn pass(&self) -> Pass {
+    /// The kind of pass that it draws `output` in.
+    pub fn pass(&self, output: Output) -> Pass {
         self.pass
+            .unwrap_or_else(|| Pass::fastest_on(&self.gpu, output))
     }
 
     /// Whether it draws the stars of a scene: their images are listed by compute shaders, which not every device has.
@@ -86,7 +90,7 @@ impl Renderer {
 
     /// The program of `key`. Compiles it the first time.
     pub(super) fn program(&self, key: PipelineKey) -> Arc<Program> {
-        self.pipelines.program(key.in_pass(self.pass))
+        self.pipelines.program(key.in_pass(self.pass(key.output)))
     }
 
     /// Uploads a sky to the device.

@@ -11,6 +11,8 @@ use wgpu::*;
 /// A sky on the device; a clone refers to the same texture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SkyOnDevice {
+    /// The first mip level alone: a driver need not find a level for each ray.
+    bilinear: BindGroup,
     trilinear: BindGroup,
     anisotropic: BindGroup,
 }
@@ -32,6 +34,7 @@ pub struct SkyUpload {
 impl SkyUpload {
     /// Room for a cube map of this many texels along the edge of a face, and its mip chain.
     pub(super) fn new(device: &Device, queue: &Queue, layouts: &Layouts, face_texels: u32) -> Self {
+        use MipmapFilterMode::{Linear, Nearest};
         let texture = device.create_texture(&TextureDescriptor {
             label: Some("sky"),
             size: Extent3d {
@@ -46,29 +49,34 @@ impl SkyUpload {
             usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
             view_formats: &[],
         });
-        let view = texture.create_view(&TextureViewDescriptor {
-            dimension: Some(TextureViewDimension::Cube),
-            ..Default::default()
-        });
-        // Seamless trilinear filtering.
-        let group = |label, anisotropy_clamp| {
+        let view = |mip_level_count| {
+            texture.create_view(&TextureViewDescriptor {
+                dimension: Some(TextureViewDimension::Cube),
+                mip_level_count,
+                ..Default::default()
+            })
+        };
+        let (first_level, all_levels) = (view(Some(1)), view(None));
+        // Filtering is seamless.
+        let group = |label, view, mipmap_filter, anisotropy_clamp| {
             let sampler = device.create_sampler(&SamplerDescriptor {
                 label: Some(label),
                 mag_filter: FilterMode::Linear,
                 min_filter: FilterMode::Linear,
-                mipmap_filter: MipmapFilterMode::Linear,
+                mipmap_filter,
                 anisotropy_clamp,
                 ..Default::default()
             });
             let resources = [
-                BindingResource::TextureView(&view),
+                BindingResource::TextureView(view),
                 BindingResource::Sampler(&sampler),
             ];
             bind_group(device, label, &layouts.sky, resources)
         };
         let sky = SkyOnDevice {
-            trilinear: group("sky", 1),
-            anisotropic: group("sky, anisotropic", ANISOTROPY),
+            bilinear: group("sky, one level", &first_level, Nearest, 1),
+            trilinear: group("sky", &all_levels, Linear, 1),
+            anisotropic: group("sky, anisotropic", &all_levels, Linear, ANISOTROPY),
         };
         SkyUpload {
             queue: queue.clone(),
@@ -132,7 +140,8 @@ impl SkyOnDevice {
     /// The bind group of programs that sample the sky in this way.
     pub(super) fn bind_group(&self, sampling: Sampling) -> &BindGroup {
         match sampling {
-            Sampling::Single | Sampling::Filtered => &self.trilinear,
+            Sampling::Single => &self.bilinear,
+            Sampling::Filtered => &self.trilinear,
             Sampling::Anisotropic => &self.anisotropic,
         }
     }

@@ -22,6 +22,16 @@ pub enum Output {
     Difference,
 }
 
+impl Output {
+    /// How a pixel samples the sky.
+    pub(super) fn sampling(self) -> Sampling {
+        match self {
+            Output::Picture(sampling) => sampling,
+            Output::Trace | Output::Difference => Sampling::Single,
+        }
+    }
+}
+
 /// Where a pass writes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Store {
@@ -169,10 +179,7 @@ impl PipelineKey {
 
     /// How a pixel samples the sky.
     pub(super) fn sampling(self) -> Sampling {
-        match self.output {
-            Output::Picture(sampling) => sampling,
-            Output::Trace | Output::Difference => Sampling::Single,
-        }
+        self.output.sampling()
     }
 
     /// Whether each pixel is averaged over its area.

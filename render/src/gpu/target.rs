@@ -4,8 +4,9 @@ use super::Region;
 use super::layouts::{BAND_FORMAT, TEXTURE_FORMAT};
 use super::pass::Pass;
 use super::renderer::Renderer;
-use super::source::Store;
+use super::source::{Output, Store};
 use super::texture::texture;
+use crate::scene::Sampling;
 use wgpu::*;
 
 /// Bytes of a pixel in a [`Store::Buffer`].
@@ -25,20 +26,27 @@ pub(super) enum Target {
 impl Target {
     /// A texture for whole pictures of at most this width and height.
     pub(super) fn texture(renderer: &Renderer, size: [u32; 2]) -> Self {
-        let written = match renderer.pass() {
-            Pass::Compute => TextureUsages::STORAGE_BINDING,
-            Pass::Fragment => TextureUsages::RENDER_ATTACHMENT,
-        };
-        let usage = written | TextureUsages::TEXTURE_BINDING;
+        let samplings = [Sampling::Single, Sampling::Filtered, Sampling::Anisotropic];
+        let mut usage = TextureUsages::TEXTURE_BINDING;
+        for output in samplings
+            .map(Output::Picture)
+            .into_iter()
+            .chain([Output::Difference])
+        {
+            usage |= match renderer.pass(output) {
+                Pass::Compute => TextureUsages::STORAGE_BINDING,
+                Pass::Fragment => TextureUsages::RENDER_ATTACHMENT,
+            };
+        }
         let device = &renderer.gpu().device;
         let texture = texture(device, "picture", size, TEXTURE_FORMAT, usage);
         Target::Texture(texture.create_view(&Default::default()))
     }
 
-    /// A target for regions of at most this width and height, to be read back.
-    pub(super) fn regions(renderer: &Renderer, [width, height]: [u32; 2]) -> Self {
+    /// A target for regions of `output` of at most this width and height, to be read back.
+    pub(super) fn regions(renderer: &Renderer, output: Output, [width, height]: [u32; 2]) -> Self {
         let device = &renderer.gpu().device;
-        match renderer.pass() {
+        match renderer.pass(output) {
             Pass::Compute => Target::Buffer(device.create_buffer(&BufferDescriptor {
                 label: Some("pixels"),
                 size: u64::from(width) * u64::from(height) * u64::from(PIXEL),

@@ -193,16 +193,16 @@ mod tests {
             .map(|region| region.count[0] * region.count[1])
             .max();
         let most = pixels.unwrap();
-        let target = Target::regions(renderer, [most, 1]);
+        let output = Output::Picture(Sampling::Filtered);
+        let target = Target::regions(renderer, output, [most, 1]);
         let mut resources = FrameResources::new(renderer, target);
         resources.show(
             lens,
-            Sampling::Filtered,
+            (Sampling::Filtered, renderer.pass(output)),
             Rendition::default(),
             regions.iter().copied(),
             1.0,
         );
-        let output = Output::Picture(Sampling::Filtered);
         let program = renderer.program(PipelineKey::of(
             lens,
             output,

@@ -4,6 +4,7 @@
 // #import filter
 // #import keep
 // #import output
+// #import ray_light
 // #import region
 // #import sky
 // #import work_queues
@@ -27,9 +28,7 @@ fn one_tap(
     if !in_region(id) {
         return;
     }
-    let d = view_direction(id.xy);
-    let p = length(d.xy);
-    store(id.xy, kept(id.xy, pixel_light(d, p, deflect(-d.z, p))));
+    store(id.xy, kept(id.xy, ray_light(view_vector(id.xy))));
 }
 
 // Tile class OneRay: one ray per pixel, and the mean over its footprint.

@@ -2,7 +2,7 @@
 // #import camera
 // #import deflection
 fn deflect_flat(c: f32, p: f32) -> Deflected {
-    if c > 0.0 && p < camera.inverse_radius {
+    if c > 0.0 && p * p < camera.inverse_radius * camera.inverse_radius * (c * c + p * p) {
         return Deflected(CAPTURED, 0.0, 0.0, 0.0);
     }
     return Deflected(ESCAPES, c, p, 0.0);

@@ -86,6 +86,7 @@ const FILES: &[(&str, &str)] = files![
     "present",
     "ray_equidistant",
     "ray_equirectangular",
+    "ray_light",
     "ray_perspective",
     "region",
     "shadow",

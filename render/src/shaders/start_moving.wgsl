@@ -5,8 +5,9 @@
 // redshift factor z_in cos²(θ/2) + z_out sin²(θ/2) is not positive does not come from this sky: its path leads to that of
 // the other exterior of the Kruskal extension. A large slope counts as captured.
 fn start_slope(c: f32, p: f32) -> f32 {
-    let inwards = camera.redshifts.x * (1.0 + c);
-    let outwards = camera.redshifts.y * (1.0 - c);
+    let size = sqrt(c * c + p * p);
+    let inwards = camera.redshifts.x * (size + c);
+    let outwards = camera.redshifts.y * (size - c);
     let slope = 0.5 * camera.inverse_radius * (inwards - outwards) / max(p, 1e-20);
     return select(1e9, slope, inwards + outwards > 0.0);
 }

@@ -42,8 +42,12 @@ fn unboosted_step(s: vec3<f32>, n: vec3<f32>, inverse: f32, scale: f32) -> vec3<
         + camera.motion * (scale * scale * dc);
 }
 
-fn view_direction(id: vec2<u32>) -> vec3<f32> {
+fn view_vector(id: vec2<u32>) -> vec3<f32> {
     return direction_at(from_middle(region.first + id));
+}
+
+fn view_direction(id: vec2<u32>) -> vec3<f32> {
+    return view_vector(id);
 }
 
 fn direction_at(at: vec2<f32>) -> vec3<f32> {

@@ -3,9 +3,14 @@
 // #import ray
 // #import region
 
-// The unit view direction of the centre of pixel `id` of the region.
+// The view direction of the centre of pixel `id` of the region, not normalised.
+fn view_vector(id: vec2<u32>) -> vec3<f32> {
+    return view_ray(from_middle(region.first + id)).direction;
+}
+
+// The same as a unit vector.
 fn view_direction(id: vec2<u32>) -> vec3<f32> {
-    return direction_at(from_middle(region.first + id));
+    return normalize(view_vector(id));
 }
 
 // The unit view direction at `at`, in pixels from the picture's centre.

@@ -1,7 +1,7 @@
 //! The contenders of the benchmark.
 
 use lensbake_core::Motion;
-use lensbake_render::gpu::Pass;
+use lensbake_render::gpu::{Output, Pass, Renderer};
 use lensbake_render::lens::Deflection;
 use lensbake_render::scene::Sampling;
 use std::f64::consts::PI;
@@ -114,9 +114,12 @@ impl Contender {
         }
     }
 
-    /// The kind of pass that it is drawn in by a renderer that draws in `renderers`.
-    pub fn pass(self, renderers: Pass) -> Pass {
-        match (self.other_pass, renderers) {
+    /// The kind of pass that it is drawn in beside others by `renderer`.
+    pub fn pass(self, renderer: &Renderer) -> Pass {
+        match (
+            self.other_pass,
+            renderer.pass(Output::Picture(self.sampling)),
+        ) {
             (false, pass) => pass,
             (true, Pass::Compute) => Pass::Fragment,
             (true, Pass::Fragment) => Pass::Compute,
@@ -128,8 +131,8 @@ impl Contender {
         Contender { motion, ..self }
     }
 
-    /// Its name, for a renderer that draws in `renderers`.
-    pub fn name(self, renderers: Pass) -> String {
+    /// Its name, drawn in this kind of pass.
+    pub fn name(self, pass: Pass) -> String {
         let deflection = match self.deflection {
             Deflection::Flat => "flat".into(),
             Deflection::Lut => "lut".into(),
@@ -147,7 +150,7 @@ impl Contender {
             Motion::Rest => String::new(),
             motion => format!(" in {motion}"),
         };
-        let pass = match (self.other_pass, self.pass(renderers)) {
+        let pass = match (self.other_pass, pass) {
             (false, _) => "",
             (true, Pass::Compute) => " by compute",
             (true, Pass::Fragment) => " by fragments",

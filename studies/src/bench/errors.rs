@@ -22,7 +22,7 @@ pub(super) async fn largest(renderer: &Renderer, table: &Table) -> Result<Vec<f6
             let (lens, reference) = references.of(contender.motion)?;
             let trace = renderer
                 .clone()
-                .in_pass(contender.pass(renderer.pass()))
+                .in_pass(contender.pass(renderer))
                 .trace(&lens.with_deflection(contender.deflection), |_| ())
                 .await?;
             let statistics = TraceStatistics::of(&reference.errors(&trace, &reference.trace()));

@@ -59,6 +59,8 @@ pub struct MeasuredContender {
     pub size: (u32, u32),
     /// The contender.
     pub contender: Contender,
+    /// The kind of pass that it is drawn in.
+    pub pass: Pass,
     /// Statistics of its frames.
     pub measured: Measured,
     /// T_ray (time per ray) in each round, ns; in a round all contenders draw the same radius.
@@ -72,8 +74,6 @@ pub struct Bench {
     pub adapter: String,
     /// Whether the adapter is software on the CPU, whose times are not those of a GPU.
     pub software: bool,
-    /// The kind of pass that the renderer draws in.
-    pub pass: Pass,
     /// Largest error of the rays of each of [`CONTENDERS`] on the flight, in image-space pixels.
     pub errors: Vec<f64>,
     /// Measurements by size, then by contender.
@@ -137,7 +137,7 @@ pub async fn run(
         table,
         sky: renderer.upload_sky(sky).await?,
         stars: renderer.upload_stars(stars),
-        pass: renderer.pass(),
+        renderer,
         realtimes: PASSES.map(|pass| {
             let renderer = renderer.clone().in_pass(pass);
             [(); 2].map(|()| RealtimeRenderer::new(renderer.clone(), [1, 1]))
@@ -151,6 +151,7 @@ pub async fn run(
         let entry = |(contender, frames): (_, &Vec<FrameTime>)| MeasuredContender {
             size,
             contender,
+            pass: contender.pass(renderer),
             measured: Measured::of(frames, rays),
             rounds: frames.iter().map(|frame| frame.ns_per_ray(rays)).collect(),
         };
@@ -159,7 +160,6 @@ pub async fn run(
     Ok(Bench {
         adapter: gpu.name(),
         software: gpu.is_software(),
-        pass: renderer.pass(),
         errors,
         entries,
     })
@@ -171,8 +171,7 @@ struct Flight<'a> {
     table: &'a Table,
     sky: SkyOnDevice,
     stars: StarsOnDevice,
-    /// The kind of pass of contenders that ask for none.
-    pass: Pass,
+    renderer: &'a Renderer,
     /// For each kind of pass, one for each shape of row: a change of shape creates resources anew, which no window does
     /// from frame to frame.
     realtimes: [[RealtimeRenderer; 2]; PASSES.len()],
@@ -229,7 +228,7 @@ impl Flight<'_> {
             rendition: Rendition::default(),
             disc: contender.disc.then(Disc::default),
         };
-        let pass = usize::from(contender.pass(self.pass) == Pass::Fragment);
+        let pass = usize::from(contender.pass(self.renderer) == Pass::Fragment);
         let shape = usize::from(contender.motion == Motion::Fall);
         let realtime = &mut self.realtimes[pass][shape];
         realtime.show(&scene, FrameContent::Picture);

@@ -94,8 +94,10 @@ pub fn steps(workload: Workload, contenders: usize) -> u64 {
 
 /// The renderer in the kind of pass of `contender`.
 fn renderer_of(renderer: &Renderer, contender: &Contender) -> Renderer {
-    let pass = contender.pass.unwrap_or(renderer.pass());
-    renderer.clone().in_pass(pass)
+    match contender.pass {
+        Some(pass) => renderer.clone().in_pass(pass),
+        None => renderer.clone(),
+    }
 }
 
 /// Measures all `contenders` on the picture of `sky` through `lens`, whose row must be the table's; a contender with

@@ -42,9 +42,9 @@ fn hermite(position: f32) -> vec2<f32> {
     return cubic(row_texel(i), row_texel(i + 1u), position - f32(i));
 }
 
-// The bending in the direction with cos θ = c and sin θ = p, from a row on the residual axis:
+// The bending in the direction (cos θ, sin θ) = (c, p), from a row on the residual axis:
 // Δ = R(q) − (1 + weight·d) ln d with X the row coordinate, d = 1 − X, and q the position. The slope is inaccurate straight away from the
-// hole: use `bending_for_footprint` there.
+// hole: use `bending_for_footprint` there. For Δ alone the vector (c, p) need not be normalised; the slope needs a unit vector.
 fn bending(c: f32, p: f32, edge: ShadowEdge) -> Bending {
     let x = row_coordinate(c, p, edge);
     if x >= 1.0 {
@@ -73,7 +73,7 @@ fn bending_for_footprint(c: f32, p: f32, edge: ShadowEdge) -> Bending {
     return bending(c, p, edge);
 }
 
-// (cos θ′, sin θ′) of the direction turned towards the hole by the bending Δ: θ′ = θ − Δ.
+// (cos θ′, sin θ′) of the direction turned towards the hole by the bending Δ: θ′ = θ − Δ. As long as (c, p).
 fn turned(c: f32, p: f32, bend: f32) -> vec2<f32> {
     let t: vec2<f32> = cos_sin(bend);
     return vec2<f32>(c * t.x + p * t.y, p * t.x - c * t.y);

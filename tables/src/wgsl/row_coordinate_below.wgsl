@@ -1,9 +1,10 @@
-// The row coordinate below the horizon, X = x/(x + σ(1−x)), of the unit direction (cos θ, sin θ) = (c, p), where c ≥ −1
-// and p ≥ 0. It exceeds 1 for all directions in the shadow.
+// The row coordinate below the horizon, X = x/(x + σ(1−x)), of the direction (cos θ, sin θ) = (c, p)/√(c² + p²), where
+// p ≥ 0; the vector (c, p) need not be normalised. It exceeds 1 for all directions in the shadow.
 fn row_coordinate(c: f32, p: f32, edge: ShadowEdge) -> f32 {
+    let size: f32 = sqrt(c * c + p * p);
     // cot(θ/2) = n/m, so that X = (T/σ) n / (m − (T/σ)(σ−1) n), which has a pole inside the shadow.
-    let n: f32 = edge.tan_half * select(p, 1.0 + c, c >= 0.0);
-    let m: f32 = select(1.0 - c, p, c >= 0.0);
+    let n: f32 = edge.tan_half * select(p, size + c, c >= 0.0);
+    let m: f32 = select(size - c, p, c >= 0.0);
     let below: f32 = m - (edge.scale - 1.0) * n;
     return select(2.0, n / below, n < below);
 }

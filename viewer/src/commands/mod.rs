@@ -276,7 +276,7 @@ fn renderer(gpu: &Gpu, pass: Option<PassName>) -> Result<Renderer, CommandError>
         return Ok(renderer);
     };
     let renderer = renderer.in_pass(pass.into());
-    if pass == PassName::Compute && renderer.pass() != Pass::Compute {
+    if pass == PassName::Compute && !gpu.has_compute() {
         return Err(CommandError::NoCompute(gpu.name()));
     }
     Ok(renderer)

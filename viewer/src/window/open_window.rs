@@ -82,8 +82,10 @@ impl OpenWindow {
             .map_err(|e| WindowError::no_screen(&e))?;
         let window = Arc::new(window);
         let (gpu, surface) = block_on(Gpu::open_for(window.clone()))?;
-        let pass = start.pass.unwrap_or_else(|| Pass::default_on(&gpu));
-        let renderer = Renderer::with_pass(&gpu, pass);
+        let renderer = match start.pass {
+            Some(pass) => Renderer::with_pass(&gpu, pass),
+            None => Renderer::new(&gpu),
+        };
         let size = window.inner_size();
         let size = [size.width, size.height];
         let (stage, on_device) = block_on(Stage::new(renderer, surface, size, &start.sky))?;
