@@ -2,6 +2,8 @@
 
 use glam::Vec3;
 use half::f16;
+use half::slice::HalfFloatSliceExt;
+use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
 /// A cube map of linear RGB light, in the layout of a GPU texture.
@@ -12,6 +14,7 @@ pub struct Cube {
 }
 
 /// Directions in which the columns and rows of a face run, and the direction of its centre.
+#[derive(Clone, Copy)]
 struct FaceAxes {
     right: Vec3,
     down: Vec3,
@@ -59,9 +62,7 @@ const FACES: [FaceAxes; 6] = [
 ///
 /// If `face` is above 5.
 pub fn texel_direction(face_texels: u32, face: usize, column: u32, row: u32) -> Vec3 {
-    let axes = &FACES[face];
-    let centre = |index: u32| (2.0 * index as f32 + 1.0) / face_texels as f32 - 1.0;
-    (axes.outward + centre(column) * axes.right + centre(row) * axes.down).normalize()
+    FACES[face].texel_direction(face_texels, column, row)
 }
 
 /// Returns the face that `dir` points at (0..6 in the order +X −X +Y −Y +Z −Z) and the position on it: u from left
@@ -85,10 +86,76 @@ pub fn face_coordinates(dir: Vec3) -> (usize, f32, f32) {
 /// are 0 to 1 on the face itself. It meets the plane only if the depth is positive.
 #[inline]
 pub(super) fn plane_coordinates(face: usize, dir: Vec3) -> (f32, f32, f32) {
-    let axes = &FACES[face];
-    let depth = dir.dot(axes.outward);
-    let unit = |along: Vec3| 0.5 * (dir.dot(along) / depth) + 0.5;
-    (depth, unit(axes.right), unit(axes.down))
+    FACES[face].plane_coordinates(dir)
+}
+
+impl FaceAxes {
+    #[inline(always)]
+    fn texel_direction(&self, face_texels: u32, column: u32, row: u32) -> Vec3 {
+        let x = (2.0 * column as f32 + 1.0) / face_texels as f32 - 1.0;
+        let y = (2.0 * row as f32 + 1.0) / face_texels as f32 - 1.0;
+        (self.outward + x * self.right + y * self.down).normalize()
+    }
+
+    #[inline(always)]
+    fn plane_coordinates(&self, dir: Vec3) -> (f32, f32, f32) {
+        let depth = dir.dot(self.outward);
+        let u = 0.5 * (dir.dot(self.right) / depth) + 0.5;
+        (depth, u, 0.5 * (dir.dot(self.down) / depth) + 0.5)
+    }
+}
+
+/// Where the directions of a row of texels of one cube map lie on the same face of another.
+struct PlanePlaces {
+    /// Column and row on the other, from the centre of its first texel.
+    places: [Vec<f32>; 2],
+}
+
+impl PlanePlaces {
+    fn new(n: u32, face_texels: u32, face: usize, row: u32) -> Self {
+        let mut places = [(); 2].map(|()| vec![0.0; face_texels as usize]);
+        let [columns, rows] = &mut places;
+        Arch::new().dispatch(FillPlaces {
+            n: n as f32,
+            axes: FACES[face],
+            face_texels,
+            row,
+            columns,
+            rows,
+        });
+        PlanePlaces { places }
+    }
+}
+
+struct FillPlaces<'a> {
+    n: f32,
+    axes: FaceAxes,
+    face_texels: u32,
+    row: u32,
+    columns: &'a mut [f32],
+    rows: &'a mut [f32],
+}
+
+impl WithSimd for FillPlaces<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self {
+            n,
+            axes,
+            face_texels,
+            row,
+            columns,
+            rows,
+        } = self;
+        for ((column, x), y) in (0..face_texels).zip(columns).zip(rows) {
+            let dir = axes.texel_direction(face_texels, column, row);
+            let (_, u, v) = axes.plane_coordinates(dir);
+            *x = u * n - 0.5;
+            *y = v * n - 0.5;
+        }
+    }
 }
 
 impl Cube {
@@ -106,6 +173,18 @@ impl Cube {
         })
     }
 
+    /// As [`Cube::from_fn`], but `fill(directions, light)` fills in the light of many texels at once.
+    pub(super) fn from_directions(
+        face_texels: u32,
+        fill: impl Fn(&[Vec3], &mut [Vec3]) + Sync,
+    ) -> Self {
+        Self::from_rows(face_texels, |face, row, texels| {
+            let columns = 0..face_texels;
+            let directions = columns.map(|column| texel_direction(face_texels, face, column, row));
+            fill(&directions.collect::<Vec<_>>(), texels);
+        })
+    }
+
     /// As [`Cube::from_fn`], but `fill(face, row, texels)` adds the light to a whole row of black texels.
     pub(super) fn from_rows(
         face_texels: u32,
@@ -113,15 +192,14 @@ impl Cube {
     ) -> Self {
         assert!(face_texels > 0, "a face needs at least one texel");
         let n = face_texels as usize;
-        let mut texels = vec![[f16::ZERO; 4]; 6 * n * n];
+        // Zeros of the system: each thread is the first to touch the pages that it fills.
+        let mut texels: Vec<[f16; 4]> = bytemuck::zeroed_vec(6 * n * n);
         texels.par_chunks_mut(n).enumerate().for_each_init(
-            || vec![Vec3::ZERO; n],
-            |light, (index, stored)| {
+            || (vec![Vec3::ZERO; n], vec![[1.0; 4]; n]),
+            |(light, clamped), (index, stored)| {
                 light.fill(Vec3::ZERO);
                 fill(index / n, (index % n) as u32, light);
-                for (texel, light) in stored.iter_mut().zip(light) {
-                    *texel = store(*light);
-                }
+                store(light, clamped, stored);
             },
         );
         Self {
@@ -168,6 +246,46 @@ impl Cube {
             self.border_quad(face, column, row)
         };
         a.lerp(b, x).lerp(c.lerp(d, x), y)
+    }
+
+    /// Fills in the light from the directions of a row of texels of a larger cube map, with `face_texels` texels along the
+    /// edge of a face; as [`Cube::sample`] of each of them.
+    pub(super) fn sample_row(&self, face_texels: u32, face: usize, row: u32, light: &mut [Vec3]) {
+        let [columns, rows] = PlanePlaces::new(self.face_texels, face_texels, face, row).places;
+        let places = columns.into_iter().zip(rows);
+        let places = places.map(|(x, y)| (floor_and_fraction(x), floor_and_fraction(y)));
+        let places: Vec<_> = places.collect();
+        // Nearly all texels lie between the same two rows, which are decoded at once.
+        let (_, (above, _)) = places[places.len() / 2];
+        let inside = 0..self.face_texels as i32 - 1;
+        let rows = inside
+            .contains(&above)
+            .then(|| [above, above + 1].map(|row| self.decoded_row(face, row as u32)));
+        for ((column, texel), &((left, x), (top, y))) in (0..).zip(light).zip(&places) {
+            *texel = match &rows {
+                Some([first, second]) if top == above && inside.contains(&left) => {
+                    let i = left as usize;
+                    let [a, b, c, d] = [first[i], first[i + 1], second[i], second[i + 1]];
+                    let mix = |a: [f32; 4], b: [f32; 4], t: f32| -> [f32; 4] {
+                        std::array::from_fn(|i| a[i] * (1.0 - t) + b[i] * t)
+                    };
+                    let [red, green, blue, _] = mix(mix(a, b, x), mix(c, d, x), y);
+                    Vec3::new(red, green, blue)
+                }
+                _ => self.sample(texel_direction(face_texels, face, column, row)),
+            };
+        }
+    }
+
+    /// The texels of a row as linear RGB and A = 1.
+    pub(super) fn decoded_row(&self, face: usize, row: u32) -> Vec<[f32; 4]> {
+        let first = self.index(face, 0, row);
+        let stored = &self.texels[first..first + self.face_texels as usize];
+        let mut decoded = vec![[0.0; 4]; stored.len()];
+        stored
+            .as_flattened()
+            .convert_to_f32_slice(decoded.as_flattened_mut());
+        decoded
     }
 
     /// The light of the texel at (column, row) and of those to the right, below and below right, if some lie off
@@ -222,12 +340,15 @@ fn floor_and_fraction(x: f32) -> (i32, f32) {
     (floor, x - floor as f32)
 }
 
-fn store(light: Vec3) -> [f16; 4] {
-    // `max` and `min` rather than `clamp`, because they turn NaN into 0.
-    let [red, green, blue] = light
-        .to_array()
-        .map(|value| f16::from_f32(value.max(0.0).min(f16::MAX.to_f32())));
-    [red, green, blue, f16::ONE]
+/// Stores a row of light as texels; the alpha of `clamped` is 1.
+fn store(light: &[Vec3], clamped: &mut [[f32; 4]], texels: &mut [[f16; 4]]) {
+    for (clamped, light) in clamped.iter_mut().zip(light) {
+        // `max` and `min` rather than `clamp`, because they turn NaN into 0.
+        let limited = |value: f32| value.max(0.0).min(f16::MAX.to_f32_const());
+        *clamped = [limited(light.x), limited(light.y), limited(light.z), 1.0];
+    }
+    let stored = texels.as_flattened_mut();
+    stored.convert_from_f32_slice(clamped.as_flattened());
 }
 
 #[cfg(test)]

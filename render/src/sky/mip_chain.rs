@@ -4,6 +4,7 @@
 //! finer level. So no level is brighter than another, and the last one holds the mean of each face.
 
 use glam::Vec3;
+use rayon::prelude::*;
 
 use super::cube::Cube;
 
@@ -89,11 +90,26 @@ fn halved(fine: &Cube) -> Option<Cube> {
         return None;
     }
     let to = from / 2;
-    let solid_angle = |column: u32, row: u32| {
-        let centre = |index: u32| (2.0 * index as f32 + 1.0) / from as f32 - 1.0;
-        let (x, y) = (centre(column), centre(row));
-        (1.0 + x * x + y * y).powf(-1.5)
-    };
+    let solid_angles = solid_angles(from);
+    let solid_angle = |column: u32, row: u32| solid_angles[(row * from + column) as usize];
+    if from % 2 == 0 {
+        return Some(Cube::from_rows(to, |face, row, texels| {
+            let rows = [2 * row, 2 * row + 1].map(|row| fine.decoded_row(face, row));
+            let weights = [2 * row, 2 * row + 1].map(|row| &solid_angles[(row * from) as usize..]);
+            for (column, texel) in texels.iter_mut().enumerate() {
+                let (mut light, mut weight) = ([0.0; 4], 0.0);
+                for (row, weights) in rows.iter().zip(weights) {
+                    for x in [2 * column, 2 * column + 1] {
+                        let part = weights[x];
+                        light = std::array::from_fn(|i| light[i] + part * row[x][i]);
+                        weight += part;
+                    }
+                }
+                let [red, green, blue, _] = light.map(|sum: f32| sum / weight);
+                *texel = Vec3::new(red, green, blue);
+            }
+        }));
+    }
     Some(Cube::from_rows(to, |face, row, texels| {
         for (column, texel) in (0..).zip(texels) {
             let (mut light, mut weight) = (Vec3::ZERO, 0.0);
@@ -107,6 +123,20 @@ fn halved(fine: &Cube) -> Option<Cube> {
             *texel = light / weight;
         }
     }))
+}
+
+/// The solid angles of the texels of a face, up to a factor, row by row.
+fn solid_angles(face_texels: u32) -> Vec<f32> {
+    let centre = |index: u32| (2.0 * index as f32 + 1.0) / face_texels as f32 - 1.0;
+    let rows = (0..face_texels).into_par_iter();
+    rows.flat_map_iter(|row| {
+        let y = centre(row);
+        (0..face_texels).map(move |column| {
+            let x = centre(column);
+            (1.0 + x * x + y * y).powf(-1.5)
+        })
+    })
+    .collect()
 }
 
 /// The texels out of `from` that texel `index` out of `to` covers in one dimension, and the covered part of each.

@@ -21,6 +21,7 @@ mod mip_chain;
 mod nebula;
 mod noise;
 pub(crate) use noise::hash;
+mod octaves;
 mod openexr;
 mod panorama;
 mod starmap;
