@@ -3,7 +3,6 @@
 use glam::Vec3;
 use half::f16;
 use half::slice::HalfFloatSliceExt;
-use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
 /// A cube map of linear RGB light, in the layout of a GPU texture.
@@ -15,14 +14,14 @@ pub struct Cube {
 
 /// Directions in which the columns and rows of a face run, and the direction of its centre.
 #[derive(Clone, Copy)]
-struct FaceAxes {
+pub(super) struct FaceAxes {
     right: Vec3,
     down: Vec3,
     outward: Vec3,
 }
 
 /// The cube map convention of Vulkan and WebGPU, in layer order.
-const FACES: [FaceAxes; 6] = [
+pub(super) const FACES: [FaceAxes; 6] = [
     FaceAxes {
         right: Vec3::NEG_Z,
         down: Vec3::NEG_Y,
@@ -90,71 +89,20 @@ pub(super) fn plane_coordinates(face: usize, dir: Vec3) -> (f32, f32, f32) {
 }
 
 impl FaceAxes {
+    /// As [`texel_direction`]. Always inlined, to be compiled for the instructions that its caller is compiled for.
     #[inline(always)]
-    fn texel_direction(&self, face_texels: u32, column: u32, row: u32) -> Vec3 {
+    pub(super) fn texel_direction(&self, face_texels: u32, column: u32, row: u32) -> Vec3 {
         let x = (2.0 * column as f32 + 1.0) / face_texels as f32 - 1.0;
         let y = (2.0 * row as f32 + 1.0) / face_texels as f32 - 1.0;
         (self.outward + x * self.right + y * self.down).normalize()
     }
 
+    /// As [`plane_coordinates`].
     #[inline(always)]
-    fn plane_coordinates(&self, dir: Vec3) -> (f32, f32, f32) {
+    pub(super) fn plane_coordinates(&self, dir: Vec3) -> (f32, f32, f32) {
         let depth = dir.dot(self.outward);
         let u = 0.5 * (dir.dot(self.right) / depth) + 0.5;
         (depth, u, 0.5 * (dir.dot(self.down) / depth) + 0.5)
-    }
-}
-
-/// Where the directions of a row of texels of one cube map lie on the same face of another.
-struct PlanePlaces {
-    /// Column and row on the other, from the centre of its first texel.
-    places: [Vec<f32>; 2],
-}
-
-impl PlanePlaces {
-    fn new(n: u32, face_texels: u32, face: usize, row: u32) -> Self {
-        let mut places = [(); 2].map(|()| vec![0.0; face_texels as usize]);
-        let [columns, rows] = &mut places;
-        Arch::new().dispatch(FillPlaces {
-            n: n as f32,
-            axes: FACES[face],
-            face_texels,
-            row,
-            columns,
-            rows,
-        });
-        PlanePlaces { places }
-    }
-}
-
-struct FillPlaces<'a> {
-    n: f32,
-    axes: FaceAxes,
-    face_texels: u32,
-    row: u32,
-    columns: &'a mut [f32],
-    rows: &'a mut [f32],
-}
-
-impl WithSimd for FillPlaces<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        let Self {
-            n,
-            axes,
-            face_texels,
-            row,
-            columns,
-            rows,
-        } = self;
-        for ((column, x), y) in (0..face_texels).zip(columns).zip(rows) {
-            let dir = axes.texel_direction(face_texels, column, row);
-            let (_, u, v) = axes.plane_coordinates(dir);
-            *x = u * n - 0.5;
-            *y = v * n - 0.5;
-        }
     }
 }
 
@@ -248,35 +196,6 @@ impl Cube {
         a.lerp(b, x).lerp(c.lerp(d, x), y)
     }
 
-    /// Fills in the light from the directions of a row of texels of a larger cube map, with `face_texels` texels along the
-    /// edge of a face; as [`Cube::sample`] of each of them.
-    pub(super) fn sample_row(&self, face_texels: u32, face: usize, row: u32, light: &mut [Vec3]) {
-        let [columns, rows] = PlanePlaces::new(self.face_texels, face_texels, face, row).places;
-        let places = columns.into_iter().zip(rows);
-        let places = places.map(|(x, y)| (floor_and_fraction(x), floor_and_fraction(y)));
-        let places: Vec<_> = places.collect();
-        // Nearly all texels lie between the same two rows, which are decoded at once.
-        let (_, (above, _)) = places[places.len() / 2];
-        let inside = 0..self.face_texels as i32 - 1;
-        let rows = inside
-            .contains(&above)
-            .then(|| [above, above + 1].map(|row| self.decoded_row(face, row as u32)));
-        for ((column, texel), &((left, x), (top, y))) in (0..).zip(light).zip(&places) {
-            *texel = match &rows {
-                Some([first, second]) if top == above && inside.contains(&left) => {
-                    let i = left as usize;
-                    let [a, b, c, d] = [first[i], first[i + 1], second[i], second[i + 1]];
-                    let mix = |a: [f32; 4], b: [f32; 4], t: f32| -> [f32; 4] {
-                        std::array::from_fn(|i| a[i] * (1.0 - t) + b[i] * t)
-                    };
-                    let [red, green, blue, _] = mix(mix(a, b, x), mix(c, d, x), y);
-                    Vec3::new(red, green, blue)
-                }
-                _ => self.sample(texel_direction(face_texels, face, column, row)),
-            };
-        }
-    }
-
     /// The texels of a row as linear RGB and A = 1.
     pub(super) fn decoded_row(&self, face: usize, row: u32) -> Vec<[f32; 4]> {
         let first = self.index(face, 0, row);
@@ -335,7 +254,7 @@ impl Cube {
 }
 
 /// Splits x ≥ −1 into its floor and its fraction. A cast is faster than `f32::floor`.
-fn floor_and_fraction(x: f32) -> (i32, f32) {
+pub(super) fn floor_and_fraction(x: f32) -> (i32, f32) {
     let floor = (x + 1.0) as i32 - 1;
     (floor, x - floor as f32)
 }

@@ -5,6 +5,7 @@
 
 use glam::Vec3;
 use rayon::prelude::*;
+use std::array::from_fn;
 
 use super::cube::Cube;
 
@@ -85,44 +86,53 @@ impl From<Cube> for Sky {
 
 /// The next coarser level; `None` after the last.
 fn halved(fine: &Cube) -> Option<Cube> {
-    let from = fine.face_texels();
-    if from == 1 {
-        return None;
+    match fine.face_texels() {
+        1 => None,
+        even if even % 2 == 0 => Some(halved_evenly(fine)),
+        _ => Some(halved_unevenly(fine)),
     }
+}
+
+/// The next coarser level, each of whose texels covers four.
+fn halved_evenly(fine: &Cube) -> Cube {
+    let from = fine.face_texels() as usize;
+    let solid_angles = solid_angles(fine.face_texels());
+    Cube::from_rows(fine.face_texels() / 2, |face, row, texels| {
+        let rows = [2 * row, 2 * row + 1];
+        let lights = rows.map(|row| fine.decoded_row(face, row));
+        let weights = rows.map(|row| &solid_angles[row as usize * from..][..from]);
+        for (column, texel) in texels.iter_mut().enumerate() {
+            let (mut sum, mut weight) = ([0.0; 4], 0.0);
+            for (light, weights) in lights.iter().zip(weights) {
+                for x in [2 * column, 2 * column + 1] {
+                    sum = from_fn(|i| sum[i] + weights[x] * light[x][i]);
+                    weight += weights[x];
+                }
+            }
+            let [red, green, blue, _] = sum.map(|sum: f32| sum / weight);
+            *texel = Vec3::new(red, green, blue);
+        }
+    })
+}
+
+/// The next coarser level, some of whose texels cover parts of others.
+fn halved_unevenly(fine: &Cube) -> Cube {
+    let from = fine.face_texels();
     let to = from / 2;
     let solid_angles = solid_angles(from);
-    let solid_angle = |column: u32, row: u32| solid_angles[(row * from + column) as usize];
-    if from % 2 == 0 {
-        return Some(Cube::from_rows(to, |face, row, texels| {
-            let rows = [2 * row, 2 * row + 1].map(|row| fine.decoded_row(face, row));
-            let weights = [2 * row, 2 * row + 1].map(|row| &solid_angles[(row * from) as usize..]);
-            for (column, texel) in texels.iter_mut().enumerate() {
-                let (mut light, mut weight) = ([0.0; 4], 0.0);
-                for (row, weights) in rows.iter().zip(weights) {
-                    for x in [2 * column, 2 * column + 1] {
-                        let part = weights[x];
-                        light = std::array::from_fn(|i| light[i] + part * row[x][i]);
-                        weight += part;
-                    }
-                }
-                let [red, green, blue, _] = light.map(|sum: f32| sum / weight);
-                *texel = Vec3::new(red, green, blue);
-            }
-        }));
-    }
-    Some(Cube::from_rows(to, |face, row, texels| {
+    Cube::from_rows(to, |face, row, texels| {
         for (column, texel) in (0..).zip(texels) {
             let (mut light, mut weight) = (Vec3::ZERO, 0.0);
             for (y, part_y) in covered(row, from, to) {
                 for (x, part_x) in covered(column, from, to) {
-                    let part = part_x * part_y * solid_angle(x, y);
+                    let part = part_x * part_y * solid_angles[(y * from + x) as usize];
                     light += part * fine.light(fine.index(face, x, y));
                     weight += part;
                 }
             }
             *texel = light / weight;
         }
-    }))
+    })
 }
 
 /// The solid angles of the texels of a face, up to a factor, row by row.
@@ -212,6 +222,17 @@ mod tests {
             let sampled = sky.sample_level(random.direction(), i as f32 * 0.003 - 0.5);
             assert!((sampled - light).abs().max_element() < 1e-5);
         }
+    }
+
+    #[test]
+    fn four_whole_texels_have_the_mean_that_parts_of_them_have() {
+        let mut random = Random::new(3);
+        let light: Vec<Vec3> = (0..6 * 16).map(|_| random.direction().abs()).collect();
+        let fine = Cube::from_rows(4, |face, row, texels| {
+            let first = 16 * face + 4 * row as usize;
+            texels.copy_from_slice(&light[first..first + 4]);
+        });
+        assert_eq!(halved_evenly(&fine), halved_unevenly(&fine));
     }
 
     #[test]

@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 mod built_in_stars;
 mod cube;
 mod decoded;
+mod enlarged;
 mod error;
 mod faces;
 mod file;
