@@ -88,7 +88,7 @@ impl From<Cube> for Sky {
 fn halved(fine: &Cube) -> Option<Cube> {
     match fine.face_texels() {
         1 => None,
-        even if even % 2 == 0 => Some(halved_evenly(fine)),
+        even if even.is_multiple_of(2) => Some(halved_evenly(fine)),
         _ => Some(halved_unevenly(fine)),
     }
 }
