@@ -8,6 +8,7 @@ use super::source::{Output, PipelineKey, Store};
 use super::target::Target;
 use super::timestamps::PassTimestamps;
 use super::{GpuError, Passes, Region, ResidentScene, SkyOnDevice};
+use crate::disc::Disc;
 use crate::lens::Lens;
 use crate::shift::{Rendition, Shift};
 use std::sync::Arc;
@@ -28,12 +29,10 @@ impl Prepared {
     /// Prepares the picture of `scene`.
     pub(super) fn picture(renderer: &Renderer, scene: &ResidentScene) -> Self {
         let lens = &scene.lens;
-        let output = Output::Picture(scene.sampling);
         let stars = scene.stars.as_ref();
         let stars = stars.filter(|_| renderer.draws_stars_through(lens));
-        let shift = scene.rendition.shift;
-        let key = PipelineKey::of(lens, output, Store::Buffer, stars.is_some(), shift)
-            .with_disc(scene.disc.as_ref());
+        let (shift, disc) = (scene.rendition.shift, scene.disc.as_ref());
+        let key = picture_key(lens, scene.sampling, stars.is_some(), shift, disc);
         let mut prepared = Prepared {
             program: renderer.program(key),
             sky: Some(scene.sky.clone()),
@@ -77,6 +76,18 @@ impl Prepared {
     pub(super) async fn check_stars(&self) -> Result<(), GpuError> {
         self.resources.check_stars().await
     }
+}
+
+/// The key of the program that draws a picture.
+pub(super) fn picture_key(
+    lens: &Lens,
+    sampling: Sampling,
+    stars: bool,
+    shift: Shift,
+    disc: Option<&Disc>,
+) -> PipelineKey {
+    let output = Output::Picture(sampling);
+    PipelineKey::of(lens, output, Store::Buffer, stars, shift).with_disc(disc)
 }
 
 fn resources(

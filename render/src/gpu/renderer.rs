@@ -2,14 +2,17 @@
 
 use super::pass::Pass;
 use super::pipelines::{Pipelines, Program};
+use super::prepared::picture_key;
 use super::source::{Output, PipelineKey};
 use super::stars::StarsOnDevice;
 use super::{Gpu, GpuError, Passes, Prepared, Region, ResidentScene, SkyOnDevice, SkyUpload};
 use crate::camera::Mapping;
 use crate::cpu;
+use crate::disc::Disc;
 use crate::lens::Lens;
 use crate::picture::Picture;
-use crate::scene::Scene;
+use crate::scene::{Sampling, Scene};
+use crate::shift::Shift;
 use crate::sky::Sky;
 use crate::stars::StarField;
 use glam::{DVec3, Vec3};
@@ -91,6 +94,23 @@ impl Renderer {
     /// The program of `key`. Compiles it the first time.
     pub(super) fn program(&self, key: PipelineKey) -> Arc<Program> {
         self.pipelines.program(key.in_pass(self.pass(key.output)))
+    }
+
+    /// Compiles what pictures through `lens` need, so that the first of them finds it compiled: another thread can do this
+    /// while the sky is made. `stars` is whether they have stars.
+    pub fn compile(
+        &self,
+        lens: &Lens,
+        sampling: Sampling,
+        stars: bool,
+        shift: Shift,
+        disc: Option<&Disc>,
+    ) {
+        let stars = stars && self.draws_stars_through(lens);
+        self.program(picture_key(lens, sampling, stars, shift, disc));
+        if stars {
+            self.pipelines.stars();
+        }
     }
 
     /// Uploads a sky to the device.

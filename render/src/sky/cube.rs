@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 use half::f16;
+use half::slice::HalfFloatSliceExt;
 use rayon::prelude::*;
 
 /// A cube map of linear RGB light, in the layout of a GPU texture.
@@ -12,14 +13,15 @@ pub struct Cube {
 }
 
 /// Directions in which the columns and rows of a face run, and the direction of its centre.
-struct FaceAxes {
+#[derive(Clone, Copy)]
+pub(super) struct FaceAxes {
     right: Vec3,
     down: Vec3,
     outward: Vec3,
 }
 
 /// The cube map convention of Vulkan and WebGPU, in layer order.
-const FACES: [FaceAxes; 6] = [
+pub(super) const FACES: [FaceAxes; 6] = [
     FaceAxes {
         right: Vec3::NEG_Z,
         down: Vec3::NEG_Y,
@@ -59,9 +61,7 @@ const FACES: [FaceAxes; 6] = [
 ///
 /// If `face` is above 5.
 pub fn texel_direction(face_texels: u32, face: usize, column: u32, row: u32) -> Vec3 {
-    let axes = &FACES[face];
-    let centre = |index: u32| (2.0 * index as f32 + 1.0) / face_texels as f32 - 1.0;
-    (axes.outward + centre(column) * axes.right + centre(row) * axes.down).normalize()
+    FACES[face].texel_direction(face_texels, column, row)
 }
 
 /// Returns the face that `dir` points at (0..6 in the order +X −X +Y −Y +Z −Z) and the position on it: u from left
@@ -85,10 +85,25 @@ pub fn face_coordinates(dir: Vec3) -> (usize, f32, f32) {
 /// are 0 to 1 on the face itself. It meets the plane only if the depth is positive.
 #[inline]
 pub(super) fn plane_coordinates(face: usize, dir: Vec3) -> (f32, f32, f32) {
-    let axes = &FACES[face];
-    let depth = dir.dot(axes.outward);
-    let unit = |along: Vec3| 0.5 * (dir.dot(along) / depth) + 0.5;
-    (depth, unit(axes.right), unit(axes.down))
+    FACES[face].plane_coordinates(dir)
+}
+
+impl FaceAxes {
+    /// As [`texel_direction`]. Always inlined, to be compiled for the instructions that its caller is compiled for.
+    #[inline(always)]
+    pub(super) fn texel_direction(&self, face_texels: u32, column: u32, row: u32) -> Vec3 {
+        let x = (2.0 * column as f32 + 1.0) / face_texels as f32 - 1.0;
+        let y = (2.0 * row as f32 + 1.0) / face_texels as f32 - 1.0;
+        (self.outward + x * self.right + y * self.down).normalize()
+    }
+
+    /// As [`plane_coordinates`].
+    #[inline(always)]
+    pub(super) fn plane_coordinates(&self, dir: Vec3) -> (f32, f32, f32) {
+        let depth = dir.dot(self.outward);
+        let u = 0.5 * (dir.dot(self.right) / depth) + 0.5;
+        (depth, u, 0.5 * (dir.dot(self.down) / depth) + 0.5)
+    }
 }
 
 impl Cube {
@@ -106,6 +121,18 @@ impl Cube {
         })
     }
 
+    /// As [`Cube::from_fn`], but `fill(directions, light)` fills in the light of many texels at once.
+    pub(super) fn from_directions(
+        face_texels: u32,
+        fill: impl Fn(&[Vec3], &mut [Vec3]) + Sync,
+    ) -> Self {
+        Self::from_rows(face_texels, |face, row, texels| {
+            let columns = 0..face_texels;
+            let directions = columns.map(|column| texel_direction(face_texels, face, column, row));
+            fill(&directions.collect::<Vec<_>>(), texels);
+        })
+    }
+
     /// As [`Cube::from_fn`], but `fill(face, row, texels)` adds the light to a whole row of black texels.
     pub(super) fn from_rows(
         face_texels: u32,
@@ -113,15 +140,14 @@ impl Cube {
     ) -> Self {
         assert!(face_texels > 0, "a face needs at least one texel");
         let n = face_texels as usize;
-        let mut texels = vec![[f16::ZERO; 4]; 6 * n * n];
+        // Zeros of the system: each thread is the first to touch the pages that it fills.
+        let mut texels: Vec<[f16; 4]> = bytemuck::zeroed_vec(6 * n * n);
         texels.par_chunks_mut(n).enumerate().for_each_init(
-            || vec![Vec3::ZERO; n],
-            |light, (index, stored)| {
+            || (vec![Vec3::ZERO; n], vec![[1.0; 4]; n]),
+            |(light, clamped), (index, stored)| {
                 light.fill(Vec3::ZERO);
                 fill(index / n, (index % n) as u32, light);
-                for (texel, light) in stored.iter_mut().zip(light) {
-                    *texel = store(*light);
-                }
+                store(light, clamped, stored);
             },
         );
         Self {
@@ -168,6 +194,17 @@ impl Cube {
             self.border_quad(face, column, row)
         };
         a.lerp(b, x).lerp(c.lerp(d, x), y)
+    }
+
+    /// The texels of a row as linear RGB and A = 1.
+    pub(super) fn decoded_row(&self, face: usize, row: u32) -> Vec<[f32; 4]> {
+        let first = self.index(face, 0, row);
+        let stored = &self.texels[first..first + self.face_texels as usize];
+        let mut decoded = vec![[0.0; 4]; stored.len()];
+        stored
+            .as_flattened()
+            .convert_to_f32_slice(decoded.as_flattened_mut());
+        decoded
     }
 
     /// The light of the texel at (column, row) and of those to the right, below and below right, if some lie off
@@ -217,17 +254,20 @@ impl Cube {
 }
 
 /// Splits x ≥ −1 into its floor and its fraction. A cast is faster than `f32::floor`.
-fn floor_and_fraction(x: f32) -> (i32, f32) {
+pub(super) fn floor_and_fraction(x: f32) -> (i32, f32) {
     let floor = (x + 1.0) as i32 - 1;
     (floor, x - floor as f32)
 }
 
-fn store(light: Vec3) -> [f16; 4] {
-    // `max` and `min` rather than `clamp`, because they turn NaN into 0.
-    let [red, green, blue] = light
-        .to_array()
-        .map(|value| f16::from_f32(value.max(0.0).min(f16::MAX.to_f32())));
-    [red, green, blue, f16::ONE]
+/// Stores a row of light as texels; the alpha of `clamped` is 1.
+fn store(light: &[Vec3], clamped: &mut [[f32; 4]], texels: &mut [[f16; 4]]) {
+    for (clamped, light) in clamped.iter_mut().zip(light) {
+        // `max` and `min` rather than `clamp`, because they turn NaN into 0.
+        let limited = |value: f32| value.max(0.0).min(f16::MAX.to_f32_const());
+        *clamped = [limited(light.x), limited(light.y), limited(light.z), 1.0];
+    }
+    let stored = texels.as_flattened_mut();
+    stored.convert_from_f32_slice(clamped.as_flattened());
 }
 
 #[cfg(test)]

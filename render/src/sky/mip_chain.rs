@@ -4,6 +4,8 @@
 //! finer level. So no level is brighter than another, and the last one holds the mean of each face.
 
 use glam::Vec3;
+use rayon::prelude::*;
+use std::array::from_fn;
 
 use super::cube::Cube;
 
@@ -84,29 +86,67 @@ impl From<Cube> for Sky {
 
 /// The next coarser level; `None` after the last.
 fn halved(fine: &Cube) -> Option<Cube> {
-    let from = fine.face_texels();
-    if from == 1 {
-        return None;
+    match fine.face_texels() {
+        1 => None,
+        even if even.is_multiple_of(2) => Some(halved_evenly(fine)),
+        _ => Some(halved_unevenly(fine)),
     }
+}
+
+/// The next coarser level, each of whose texels covers four.
+fn halved_evenly(fine: &Cube) -> Cube {
+    let from = fine.face_texels() as usize;
+    let solid_angles = solid_angles(fine.face_texels());
+    Cube::from_rows(fine.face_texels() / 2, |face, row, texels| {
+        let rows = [2 * row, 2 * row + 1];
+        let lights = rows.map(|row| fine.decoded_row(face, row));
+        let weights = rows.map(|row| &solid_angles[row as usize * from..][..from]);
+        for (column, texel) in texels.iter_mut().enumerate() {
+            let (mut sum, mut weight) = ([0.0; 4], 0.0);
+            for (light, weights) in lights.iter().zip(weights) {
+                for x in [2 * column, 2 * column + 1] {
+                    sum = from_fn(|i| sum[i] + weights[x] * light[x][i]);
+                    weight += weights[x];
+                }
+            }
+            let [red, green, blue, _] = sum.map(|sum: f32| sum / weight);
+            *texel = Vec3::new(red, green, blue);
+        }
+    })
+}
+
+/// The next coarser level, some of whose texels cover parts of others.
+fn halved_unevenly(fine: &Cube) -> Cube {
+    let from = fine.face_texels();
     let to = from / 2;
-    let solid_angle = |column: u32, row: u32| {
-        let centre = |index: u32| (2.0 * index as f32 + 1.0) / from as f32 - 1.0;
-        let (x, y) = (centre(column), centre(row));
-        (1.0 + x * x + y * y).powf(-1.5)
-    };
-    Some(Cube::from_rows(to, |face, row, texels| {
+    let solid_angles = solid_angles(from);
+    Cube::from_rows(to, |face, row, texels| {
         for (column, texel) in (0..).zip(texels) {
             let (mut light, mut weight) = (Vec3::ZERO, 0.0);
             for (y, part_y) in covered(row, from, to) {
                 for (x, part_x) in covered(column, from, to) {
-                    let part = part_x * part_y * solid_angle(x, y);
+                    let part = part_x * part_y * solid_angles[(y * from + x) as usize];
                     light += part * fine.light(fine.index(face, x, y));
                     weight += part;
                 }
             }
             *texel = light / weight;
         }
-    }))
+    })
+}
+
+/// The solid angles of the texels of a face, up to a factor, row by row.
+fn solid_angles(face_texels: u32) -> Vec<f32> {
+    let centre = |index: u32| (2.0 * index as f32 + 1.0) / face_texels as f32 - 1.0;
+    let rows = (0..face_texels).into_par_iter();
+    rows.flat_map_iter(|row| {
+        let y = centre(row);
+        (0..face_texels).map(move |column| {
+            let x = centre(column);
+            (1.0 + x * x + y * y).powf(-1.5)
+        })
+    })
+    .collect()
 }
 
 /// The texels out of `from` that texel `index` out of `to` covers in one dimension, and the covered part of each.
@@ -182,6 +222,17 @@ mod tests {
             let sampled = sky.sample_level(random.direction(), i as f32 * 0.003 - 0.5);
             assert!((sampled - light).abs().max_element() < 1e-5);
         }
+    }
+
+    #[test]
+    fn four_whole_texels_have_the_mean_that_parts_of_them_have() {
+        let mut random = Random::new(3);
+        let light: Vec<Vec3> = (0..6 * 16).map(|_| random.direction().abs()).collect();
+        let fine = Cube::from_rows(4, |face, row, texels| {
+            let first = 16 * face + 4 * row as usize;
+            texels.copy_from_slice(&light[first..first + 4]);
+        });
+        assert_eq!(halved_evenly(&fine), halved_unevenly(&fine));
     }
 
     #[test]

@@ -5,7 +5,8 @@ use glam::Vec3;
 use super::Sky;
 use super::built_in_stars::{Star, StarLayer};
 use super::cube::Cube;
-use super::noise::{Random, fractal, ridged, smoothstep};
+use super::noise::{Random, smoothstep};
+use super::octaves::{fractal, ridged};
 
 const SEED: u32 = 7;
 const STARS: u32 = 14000;
@@ -28,12 +29,10 @@ const NIGHT: Vec3 = Vec3::new(0.0010, 0.0014, 0.0032);
 /// If `face_texels` is 0.
 pub fn nebula(face_texels: u32) -> Sky {
     // The gas has no detail as fine as a texel, so half the resolution is enough.
-    let gas = Cube::from_fn(face_texels.div_ceil(2), gas);
+    let gas = Cube::from_directions(face_texels.div_ceil(2), gas);
     let stars = StarLayer::new(face_texels, stars(face_texels));
     Sky::from_rows(face_texels, |face, row, texels| {
-        for (column, texel) in (0..).zip(texels.iter_mut()) {
-            *texel = gas.sample(super::texel_direction(face_texels, face, column, row));
-        }
+        gas.sample_row(face_texels, face, row, texels);
         stars.add_to_row(face, row, texels);
     })
 }
@@ -48,27 +47,35 @@ fn stars(face_texels: u32) -> Vec<Star> {
         .collect()
 }
 
-/// Light of the gas in a unit direction.
-fn gas(dir: Vec3) -> Vec3 {
-    let point = 1.5 * dir;
-    let flow = Vec3::new(
-        fractal(point + Vec3::new(3.1, 0.0, 7.7), 4),
-        fractal(point + Vec3::new(-5.2, 1.3, 2.9), 4),
-        fractal(point + Vec3::new(8.3, -6.1, 0.4), 4),
-    );
-    let bent = point + 1.1 * flow;
-    let density = smoothstep(-0.18, 0.70, fractal(bent, 6) + 0.5 * flow.z);
-    if density == 0.0 {
-        return NIGHT;
+/// Light of the gas in unit directions.
+fn gas(directions: &[Vec3], light: &mut [Vec3]) {
+    let points = || directions.iter().map(|dir| 1.5 * dir);
+    let flow = |shift: Vec3| fractal(points().map(|point| point + shift), 4);
+    let flow = [
+        flow(Vec3::new(3.1, 0.0, 7.7)),
+        flow(Vec3::new(-5.2, 1.3, 2.9)),
+        flow(Vec3::new(8.3, -6.1, 0.4)),
+    ];
+    let flow = |i: usize| Vec3::new(flow[0][i], flow[1][i], flow[2][i]);
+    let bent: Vec<Vec3> = points()
+        .enumerate()
+        .map(|(i, point)| point + 1.1 * flow(i))
+        .collect();
+    let density = fractal(bent.iter().copied(), 6);
+    let density = |i: usize| smoothstep(-0.18, 0.70, density[i] + 0.5 * flow(i).z);
+
+    light.fill(NIGHT);
+    // The rest is computed only where there is gas.
+    let cloudy: Vec<usize> = (0..bent.len()).filter(|&i| density(i) != 0.0).collect();
+    let bent = || cloudy.iter().map(|&i| bent[i]);
+    let filaments = ridged(bent().map(|bent| 1.7 * bent + Vec3::new(0.7, 4.4, -2.2)), 6);
+    let dust = fractal(bent().map(|bent| 2.2 * bent + Vec3::new(-1.5, 9.2, 3.3)), 6);
+    for ((&i, filaments), dust) in cloudy.iter().zip(filaments).zip(dust) {
+        let dust = smoothstep(0.05, 0.30, dust);
+        let glow =
+            density(i) * (0.12 + 2.6 * filaments * filaments * filaments) * (1.0 - 0.85 * dust);
+        light[i] = NIGHT + glow * colour(0.45 + 1.3 * flow(i).x + 0.7 * flow(i).y);
     }
-    let filaments = ridged(1.7 * bent + Vec3::new(0.7, 4.4, -2.2), 6);
-    let dust = smoothstep(
-        0.05,
-        0.30,
-        fractal(2.2 * bent + Vec3::new(-1.5, 9.2, 3.3), 6),
-    );
-    let glow = density * (0.12 + 2.6 * filaments * filaments * filaments) * (1.0 - 0.85 * dust);
-    NIGHT + glow * colour(0.45 + 1.3 * flow.x + 0.7 * flow.y)
 }
 
 /// The colour at `place`, 0 to 1, along [`COLOURS`].

@@ -1,15 +1,6 @@
-//! Random numbers and fractal noise in 3D from integer hashes: the same on every machine.
+//! Random numbers and gradient noise in 3D from integer hashes: the same on every machine.
 
-use std::array::from_fn;
-
-use glam::{IVec3, Mat3, Vec3};
-
-/// Rotates and scales space between two octaves, so that their lattices never line up.
-const NEXT_OCTAVE: Mat3 = Mat3::from_cols_array(&[
-    0.0, 1.624, 1.218, -1.624, 0.7308, -0.9744, -1.218, -0.9744, 1.2992,
-]);
-/// Shift of the origin between two octaves; not a multiple of the lattice spacing.
-const OCTAVE_SHIFT: Vec3 = Vec3::new(17.31, -9.17, 5.83);
+use glam::Vec3;
 
 /// Factors that spread lattice points over 32 bits: the fractional bits of √5, √7 and √11, made odd.
 const X_FACTOR: u32 = 0x3c6e_f373;
@@ -17,6 +8,7 @@ const Y_FACTOR: u32 = 0xa54f_f53b;
 const Z_FACTOR: u32 = 0x510e_527f;
 
 /// Mixes the bits of `x`; a bijection. The factors are the fractional bits of √2 and √3.
+#[inline(always)]
 pub(crate) fn hash(x: u32) -> u32 {
     let x = (x ^ (x >> 16)).wrapping_mul(0x6a09_e667);
     let x = (x ^ (x >> 15)).wrapping_mul(0xbb67_ae85);
@@ -54,52 +46,80 @@ impl Random {
 }
 
 /// Gradient noise (Perlin): smooth, 0 on average, mostly within ±0.5, with features about 1 across.
-pub(super) fn noise(point: Vec3) -> f32 {
-    let cell = floor(point);
-    let from = point - cell.as_vec3();
-    let weight = from * from * from * (from * (from * 6.0 - 15.0) + 10.0);
-    // Arrays over the eight corners of the cell, which the compiler can vectorise.
-    let hashes: [u32; 8] = from_fn(|corner| {
-        let step = |axis: usize| (corner >> axis & 1) as i32;
-        let along = |index: i32, factor: u32| index.cast_unsigned().wrapping_mul(factor);
-        hash(
-            along(cell.x + step(0), X_FACTOR)
-                ^ along(cell.y + step(1), Y_FACTOR)
-                ^ along(cell.z + step(2), Z_FACTOR),
-        )
-    });
-    let slopes: [f32; 8] = from_fn(|corner| {
-        let step = |axis: usize| (corner >> axis & 1) as f32;
-        gradient(hashes[corner]).dot(from - Vec3::new(step(0), step(1), step(2)))
-    });
-    let mix = |a: f32, b: f32, t: f32| a + (b - a) * t;
-    let along_x: [f32; 4] = from_fn(|i| mix(slopes[2 * i], slopes[2 * i + 1], weight.x));
-    let along_y: [f32; 2] = from_fn(|i| mix(along_x[2 * i], along_x[2 * i + 1], weight.y));
-    mix(along_y[0], along_y[1], weight.z)
+///
+/// Has no branches and no arrays, so that the compiler can compute it at several points at once.
+#[inline(always)]
+pub(super) fn noise(x: f32, y: f32, z: f32) -> f32 {
+    let (left, x) = hash_and_fraction(x, X_FACTOR);
+    let (below, y) = hash_and_fraction(y, Y_FACTOR);
+    let (near, z) = hash_and_fraction(z, Z_FACTOR);
+    let right = left.wrapping_add(X_FACTOR);
+    let above = below.wrapping_add(Y_FACTOR);
+    let far = near.wrapping_add(Z_FACTOR);
+    let weight = weight(x);
+    let along_x = [
+        mix(
+            corner(left ^ below ^ near, x, y, z),
+            corner(right ^ below ^ near, x - 1.0, y, z),
+            weight,
+        ),
+        mix(
+            corner(left ^ above ^ near, x, y - 1.0, z),
+            corner(right ^ above ^ near, x - 1.0, y - 1.0, z),
+            weight,
+        ),
+        mix(
+            corner(left ^ below ^ far, x, y, z - 1.0),
+            corner(right ^ below ^ far, x - 1.0, y, z - 1.0),
+            weight,
+        ),
+        mix(
+            corner(left ^ above ^ far, x, y - 1.0, z - 1.0),
+            corner(right ^ above ^ far, x - 1.0, y - 1.0, z - 1.0),
+            weight,
+        ),
+    ];
+    let weight = self::weight(y);
+    mix(
+        mix(along_x[0], along_x[1], weight),
+        mix(along_x[2], along_x[3], weight),
+        self::weight(z),
+    )
 }
 
-/// Sum of `octaves` of [`noise`], each 2.03 times as fine and half as strong as the one before; mostly within
-/// ±0.7.
-pub(super) fn fractal(point: Vec3, octaves: u32) -> f32 {
-    octave_sum(point, octaves, |value| value)
+/// The share of a coordinate's lattice index in the hash of a lattice point, and the coordinate's fraction. The coordinate is
+/// within ±2²².
+#[inline(always)]
+fn hash_and_fraction(x: f32, factor: u32) -> (u32, f32) {
+    // Added to 1.5 · 2²³, a number is rounded to an integer, which the last bits of the sum hold. A cast to an integer would
+    // be checked number by number.
+    const ROUNDING: f32 = 12_582_912.0;
+    let sum = x + ROUNDING;
+    let rounded = sum - ROUNDING;
+    let above = rounded > x;
+    let index = sum
+        .to_bits()
+        .wrapping_sub(ROUNDING.to_bits() + u32::from(above));
+    let floor = rounded - if above { 1.0 } else { 0.0 };
+    (index.wrapping_mul(factor), x - floor)
 }
 
-/// Fractal noise with bright creases where the octaves cross zero; about 0 to 1.
-pub(super) fn ridged(point: Vec3, octaves: u32) -> f32 {
-    octave_sum(point, octaves, |value| {
-        let crease = (1.0 - 2.5 * value.abs()).max(0.0);
-        0.6 * crease * crease
-    })
+/// Smooth step from 0 to 1.
+#[inline(always)]
+fn weight(x: f32) -> f32 {
+    x * x * x * (x * (x * 6.0 - 15.0) + 10.0)
 }
 
-fn octave_sum(mut point: Vec3, octaves: u32, shape: impl Fn(f32) -> f32) -> f32 {
-    let (mut sum, mut strength) = (0.0, 1.0);
-    for _ in 0..octaves {
-        sum += strength * shape(noise(point));
-        strength *= 0.5;
-        point = NEXT_OCTAVE * point + OCTAVE_SHIFT;
-    }
-    sum
+#[inline(always)]
+fn mix(a: f32, b: f32, t: f32) -> f32 {
+    a + (b - a) * t
+}
+
+/// The gradient at a lattice point times the distance (`x`, `y`, `z`) from it.
+#[inline(always)]
+fn corner(hashed: u32, x: f32, y: f32, z: f32) -> f32 {
+    let hash = hash(hashed);
+    slope(hash >> 2) * x + slope(hash >> 12) * y + slope(hash >> 22) * z
 }
 
 /// Cubic step from 0 at `low` to 1 at `high`.
@@ -108,34 +128,47 @@ pub(super) fn smoothstep(low: f32, high: f32, x: f32) -> f32 {
     t * t * (3.0 - 2.0 * t)
 }
 
-/// Three numbers in −1 to 1, from ten bits of the hash each.
-fn gradient(hash: u32) -> Vec3 {
-    let signed = |shift: u32| ((hash >> shift) & 1023) as f32 / 511.5 - 1.0;
-    Vec3::new(signed(2), signed(12), signed(22))
-}
-
-/// Floor by a cast and a comparison: faster than `f32::floor` where that is a library call.
-fn floor(point: Vec3) -> IVec3 {
-    let truncated = point.as_ivec3();
-    let above = point.cmplt(truncated.as_vec3());
-    truncated - IVec3::new(i32::from(above.x), i32::from(above.y), i32::from(above.z))
+/// A number in −1 to 1 from the last ten bits of `bits`: n / 511.5 − 1.
+#[inline(always)]
+fn slope(bits: u32) -> f32 {
+    // Two products are faster than a division. Those with the first 14 bits of the reciprocal are exact, so that the sum is
+    // rounded as the quotient is; a test compares all of them.
+    const FIRST_BITS: f32 = f32::from_bits((1.0_f32 / 511.5).to_bits() & !0x3ff);
+    const LAST_BITS: f32 = (1.0 / 511.5 - FIRST_BITS as f64) as f32;
+    let n = (bits & 1023).cast_signed() as f32;
+    n * FIRST_BITS + n * LAST_BITS - 1.0
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// The lattice index of a coordinate, and its fraction.
     #[test]
-    fn floor_is_the_floor() {
-        for (x, expected) in [
+    fn coordinates_are_split_into_floor_and_fraction() {
+        for (x, floor) in [
             (-2.0, -2),
             (-1.5, -2),
+            (-0.5, -1),
             (-0.1, -1),
             (0.0, 0),
+            (0.5, 0),
             (0.9, 0),
+            (1.5, 1),
             (3.0, 3),
+            (-1234.7, -1235),
+            (3e6, 3_000_000),
         ] {
-            assert_eq!(floor(Vec3::splat(x)), IVec3::splat(expected));
+            let index = |hashed: u32| hashed.cast_signed();
+            let (hashed, fraction) = hash_and_fraction(x, 1);
+            assert_eq!((index(hashed), fraction), (floor, x - floor as f32), "{x}");
+        }
+    }
+
+    #[test]
+    fn slopes_are_rounded_as_by_a_division() {
+        for n in 0..1024 {
+            assert_eq!(slope(n | 0xabcd_ec00), n as f32 / 511.5 - 1.0, "{n}");
         }
     }
 
@@ -163,8 +196,9 @@ mod tests {
         let (mut sum, mut largest) = (0.0, 0.0_f32);
         for _ in 0..20_000 {
             let point = 30.0 * random.direction();
-            let value = noise(point);
-            let change = (noise(point + 1e-3 * random.direction()) - value).abs();
+            let value = noise(point.x, point.y, point.z);
+            let near = point + 1e-3 * random.direction();
+            let change = (noise(near.x, near.y, near.z) - value).abs();
             assert!(change < 5e-3, "{point}: {change}");
             sum += value;
             largest = largest.max(value.abs());
@@ -176,7 +210,7 @@ mod tests {
     #[test]
     fn noise_is_the_same_on_every_machine() {
         assert_eq!(hash(1), HASH_OF_ONE);
-        let value = noise(Vec3::new(0.3, -4.6, 12.2));
+        let value = noise(0.3, -4.6, 12.2);
         assert!((value - NOISE_AT_POINT).abs() < 1e-6, "{value}");
     }
 

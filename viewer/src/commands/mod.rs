@@ -8,23 +8,22 @@ pub mod film;
 pub mod flicker;
 mod least;
 mod metadata;
+mod opening;
 pub mod reference;
 pub mod render;
 pub mod window;
 
 use crate::cli::{
-    DeviceName, DiscArgsError, DrawingArgs, LayerNeedsDisc, LightArgs, PassName, SamplingName,
-    StarArgs,
+    DiscArgsError, DrawingArgs, LayerNeedsDisc, LightArgs, PassName, SamplingName, StarArgs,
 };
 use clap::ValueEnum;
 use lensbake_core::CoreError;
 use lensbake_film::PathFileError;
+use lensbake_program::PrintError;
 use lensbake_program::output::{Output, OutputError};
-use lensbake_program::{PrintError, message};
 use lensbake_render::camera::{Camera, CameraError};
 use lensbake_render::gpu::{Gpu, GpuError, Pass, Renderer};
 use lensbake_render::lens::{Deflection, Lens, LensError};
-use lensbake_render::model::Precision;
 use lensbake_render::picture::PictureError;
 use lensbake_render::sky::{SkyError, SkySource};
 use lensbake_render::stars::{self, MAX_DISC_RADIUS, StarField, StarSource, StarsError};
@@ -34,7 +33,7 @@ use lensbake_studies::flicker::FlickerError;
 use lensbake_studies::gpu_chart::ChartError;
 use lensbake_studies::reference::StudyError;
 use lensbake_tables::{ContainerError, Table, container, default_atlas};
-use pollster::block_on;
+use opening::{gpu, gpu_for};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -238,23 +237,6 @@ fn table(args: &LightArgs) -> Result<(Cow<'static, Table>, String), CommandError
     })
 }
 
-/// The GPU to draw on, or `None` for the CPU.
-fn gpu(device: DeviceName) -> Result<Option<Gpu>, GpuError> {
-    match device {
-        DeviceName::Cpu => Ok(None),
-        DeviceName::Gpu => block_on(Gpu::open()).map(Some),
-        DeviceName::Auto => match block_on(Gpu::open()) {
-            Ok(gpu) => Ok(Some(gpu)),
-            // The user has set an invalid backend, so it is an error.
-            Err(error @ GpuError::Backend { .. }) => Err(error),
-            Err(error) => {
-                message!("viewer: drawing on the CPU: {error}");
-                Ok(None)
-            }
-        },
-    }
-}
-
 /// Checks that the CPU is not asked for what only a GPU has.
 fn check_device(drawing: &DrawingArgs, on_cpu: bool) -> Result<(), CommandError> {
     if !on_cpu {
@@ -280,30 +262,4 @@ fn renderer(gpu: &Gpu, pass: Option<PassName>) -> Result<Renderer, CommandError>
         return Err(CommandError::NoCompute(gpu.name()));
     }
     Ok(renderer)
-}
-
-/// Rounding error of 32-bit floats above which it may be visible, pixels.
-const VISIBLE_ROUNDING_PX: f64 = 0.5;
-
-/// The GPU to draw the picture of `camera` on, or `None` for the CPU. If the pixels are so narrow that the GPU's
-/// 32-bit floats cannot resolve them, `auto` chooses the CPU, and `gpu` prints a warning with the possible error.
-fn gpu_for(device: DeviceName, camera: &Camera) -> Result<Option<Gpu>, GpuError> {
-    let off = Precision::F32.rounding_px(camera);
-    if off > VISIBLE_ROUNDING_PX {
-        match device {
-            DeviceName::Cpu => {}
-            DeviceName::Gpu => message!(
-                "viewer: the 32-bit floats of a GPU may be off by {off:.1} pixels in so narrow a field of \
-                 view; --device cpu draws it in 64 bits"
-            ),
-            DeviceName::Auto => {
-                message!(
-                    "viewer: drawing on the CPU: the 32-bit floats of a GPU would be off by up to {off:.1} \
-                     pixels in so narrow a field of view"
-                );
-                return Ok(None);
-            }
-        }
-    }
-    gpu(device)
 }

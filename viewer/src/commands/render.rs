@@ -1,9 +1,9 @@
 //! `viewer render`: draws a picture to a file.
 
 use super::metadata::{self, Described, TableFacts};
+use super::opening::gpu_beside;
 use super::{
-    CommandError, check_device, gpu_for, least, lens_of, named, renderer, spare_inputs, star_field,
-    table,
+    CommandError, check_device, least, lens_of, named, renderer, spare_inputs, star_field, table,
 };
 use crate::cli::{DeviceName, Exposure, LayerName, RenderArgs};
 use lensbake_program::output::Output;
@@ -11,7 +11,7 @@ use lensbake_program::{Outcome, Printer, Progress, message};
 use lensbake_render::camera::{Camera, View};
 use lensbake_render::disc::Disc;
 use lensbake_render::filter::FilteredPixels;
-use lensbake_render::gpu::{GpuError, Renderer};
+use lensbake_render::gpu::{Gpu, GpuError, Renderer};
 use lensbake_render::layers::{self, Channel, Layer};
 use lensbake_render::lens::{Deflection, Lens};
 use lensbake_render::model::DEFAULT_BUDGET_PX;
@@ -34,14 +34,16 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     let jobs = jobs(args, method)?;
     let disc = args.disc.disc(args.scene.view.disc_seen_from_deg())?;
     let light = &args.scene.view.light;
-    let sky = sky::load(&light.sky)?;
-    let stars = star_field(&args.stars, &light.sky)?;
-    let gpu = gpu_for(args.scene.device, &jobs[0].lens.camera)?;
-    check_device(&args.drawing, gpu.is_none())?;
-    let renderer = gpu
-        .as_ref()
-        .map(|gpu| renderer(gpu, args.drawing.pass))
-        .transpose()?;
+    let camera = &jobs[0].lens.camera;
+    let prepare = |gpu: &Gpu| prepared(gpu, args, &jobs[0].lens, disc.as_ref());
+    let load = || {
+        let sky = sky::load(&light.sky)?;
+        Ok::<_, CommandError>((sky, star_field(&args.stars, &light.sky)?))
+    };
+    let (opened, (sky, stars)) = gpu_beside(args.scene.device, camera, prepare, load)?;
+    check_device(&args.drawing, opened.is_none())?;
+    let (gpu, renderer) = opened.unzip();
+    let renderer = renderer.transpose()?;
     let mut printer = Printer::new(jobs[0].file.output.is_standard_output());
     if jobs[0].file.format == PictureFormat::OpenExr {
         metadata::report_unrecorded(args.recorded.as_ref(), &args.output);
@@ -76,6 +78,23 @@ pub fn run(args: &RenderArgs) -> Result<Outcome, CommandError> {
     }
     printer.finish()?;
     Ok(outcome)
+}
+
+/// A renderer on `gpu` that has compiled what the picture through `lens` needs, unless another model may be chosen.
+fn prepared(
+    gpu: &Gpu,
+    args: &RenderArgs,
+    lens: &Lens,
+    disc: Option<&Disc>,
+) -> Result<Renderer, CommandError> {
+    let renderer = renderer(gpu, args.drawing.pass)?;
+    if args.budget_px.is_none() {
+        let light = &args.scene.view.light;
+        let stars = args.stars.source(&light.sky).is_some();
+        let sampling = args.drawing.sampling.into();
+        renderer.compile(lens, sampling, stars, light.shift.into(), disc);
+    }
+    Ok(renderer)
 }
 
 /// A picture to draw, and its file.

@@ -4,13 +4,13 @@
 use super::{CommandError, render, stars_of, table};
 use crate::cli::{
     DeviceName, DrawingArgs, Exposure, MethodName, PICTURE, ProjectionArgs, RenderArgs,
-    SamplingName, SceneArgs, WindowArgs,
+    SamplingName, SceneArgs, StarArgs, WindowArgs,
 };
 use lensbake_program::{Outcome, message};
 use lensbake_render::camera::{Camera, Projection};
 use lensbake_render::lens::Deflection;
-use lensbake_render::stars::StarSource;
-use viewer::window::{self, Options};
+use lensbake_render::stars::{self, StarField, StarSource};
+use viewer::window::{self, Coming, Options};
 
 pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
     let view = args.view.view(args.size, Projection::Perspective);
@@ -23,8 +23,21 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
         problem,
     })?;
     // The Hipparcos stars unless others are named: the window always offers the sky `stars`.
-    let source = args.stars.stars.clone();
-    let stars = stars_of(&args.stars, &source.unwrap_or(StarSource::Hipparcos))?;
+    let stars = match &args.stars {
+        // They cannot fail, so that the window may be opened meanwhile.
+        StarArgs {
+            stars: None | Some(StarSource::Hipparcos),
+            star_radius: None,
+            ..
+        } => {
+            let stops = args.stars.star_exposure;
+            Coming::soon(move || StarField::new(&stars::hipparcos(), stops))
+        }
+        StarArgs { stars: source, .. } => {
+            let source = source.clone().unwrap_or(StarSource::Hipparcos);
+            Coming::Here(stars_of(&args.stars, &source)?)
+        }
+    };
     let path = args.play.as_deref().map(lensbake_film::read).transpose()?;
     let (table, table_name) = table(&args.view.light)?;
     let ended = window::run(Options {

@@ -1,5 +1,6 @@
 //! The event loop of the window.
 
+use super::coming::Coming;
 use super::error::WindowError;
 use super::event::AppEvent;
 use super::open_window::{OpenWindow, Start};
@@ -30,7 +31,7 @@ pub struct Options {
     /// Source of the sky.
     pub sky: SkySource,
     /// The stars.
-    pub stars: StarField,
+    pub stars: Coming<StarField>,
     /// Whether the stars are drawn in front of every sky, not only of the sky `stars`.
     pub stars_everywhere: bool,
     /// The disc around the hole, if there is one.
@@ -62,11 +63,16 @@ pub fn run(options: Options) -> Result<(), WindowError> {
     };
     let table = NamedTable::new(options.table, options.table_name);
     let state = State::new(settings, table)?;
-    // Created before the sky is loaded, which takes a while and is not needed without a screen.
+    // Created before the sky is made, which is not needed without a screen.
     let events = EventLoop::with_user_event()
         .build()
         .map_err(|e| WindowError::no_screen(&e))?;
-    let sky = sky::load(&options.sky)?;
+    let source = options.sky.clone();
+    let sky = match source.is_built_in() {
+        // It cannot fail, so that the window may be opened meanwhile.
+        true => Coming::soon(move || sky::load(&source)),
+        false => Coming::Here(Ok(sky::load(&source)?)),
+    };
     let mut app = App {
         proxy: events.create_proxy(),
         start: Some(Start {

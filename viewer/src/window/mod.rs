@@ -5,6 +5,7 @@
 //! drawn while nothing changes.
 
 mod app;
+mod coming;
 mod controls;
 mod disc_controls;
 mod error;
@@ -25,4 +26,5 @@ mod state_tests;
 mod typed;
 
 pub use app::{Options, run};
+pub use coming::Coming;
 pub use error::WindowError;

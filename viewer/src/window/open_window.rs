@@ -1,5 +1,6 @@
 //! The open window: handles its events and draws its frames.
 
+use super::coming::Coming;
 use super::controls::PanelAction;
 use super::event::AppEvent;
 use super::input::WindowInput;
@@ -17,7 +18,7 @@ use lensbake_interactive::state::{NamedTable, State};
 use lensbake_interactive::title;
 use lensbake_program::message;
 use lensbake_render::gpu::{Gpu, Pass, Renderer};
-use lensbake_render::sky::{self, Sky, SkySource};
+use lensbake_render::sky::{self, Sky, SkyError, SkySource};
 use lensbake_render::stars::StarField;
 use pollster::block_on;
 use std::sync::Arc;
@@ -27,7 +28,7 @@ use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
 use winit::window::{Fullscreen, Window};
 
-/// Initial state of the window, checked and with its sky loaded.
+/// Initial state of the window, checked; its sky and stars may still be in the making.
 pub struct Start {
     /// Settings and table.
     pub state: State,
@@ -38,11 +39,11 @@ pub struct Start {
     /// The kind of passes that draw the picture; `None` for the device's default.
     pub pass: Option<Pass>,
     /// The sky.
-    pub sky: Sky,
+    pub sky: Coming<Result<Sky, SkyError>>,
     /// Source of the sky.
     pub source: SkySource,
     /// The stars.
-    pub stars: StarField,
+    pub stars: Coming<StarField>,
     /// Whether the stars are drawn in front of every sky, not only of the sky `stars`.
     pub stars_everywhere: bool,
     /// A path of the camera, which plays at once.
@@ -88,11 +89,13 @@ impl OpenWindow {
         };
         let size = window.inner_size();
         let size = [size.width, size.height];
-        let (stage, on_device) = block_on(Stage::new(renderer, surface, size, &start.sky))?;
+        let sky = start.sky.wait()?;
+        let (stage, on_device) = block_on(Stage::new(renderer, surface, size, &sky))?;
+        drop(sky);
         let panel = Panel::new(&window, stage.gpu(), stage.format());
         let mut session = Session::new(start.state, stage, start.source, on_device);
         session.stars_everywhere = start.stars_everywhere;
-        session.set_stars(start.stars);
+        session.set_stars(start.stars.wait());
         window.request_redraw();
         let mut open = OpenWindow {
             window,
