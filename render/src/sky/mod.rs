@@ -20,6 +20,7 @@ mod memory;
 mod mip_chain;
 mod nebula;
 mod noise;
+mod noise_lanes;
 pub(crate) use noise::hash;
 mod openexr;
 mod panorama;

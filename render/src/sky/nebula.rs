@@ -5,7 +5,8 @@ use glam::Vec3;
 use super::Sky;
 use super::built_in_stars::{Star, StarLayer};
 use super::cube::Cube;
-use super::noise::{Random, fractal, ridged, smoothstep};
+use super::noise::{Random, smoothstep};
+use super::noise_lanes::{LANES, Values, each, fractal, points, ridged};
 
 const SEED: u32 = 7;
 const STARS: u32 = 14000;
@@ -28,7 +29,7 @@ const NIGHT: Vec3 = Vec3::new(0.0010, 0.0014, 0.0032);
 /// If `face_texels` is 0.
 pub fn nebula(face_texels: u32) -> Sky {
     // The gas has no detail as fine as a texel, so half the resolution is enough.
-    let gas = Cube::from_fn(face_texels.div_ceil(2), gas);
+    let gas = Cube::from_directions(face_texels.div_ceil(2), gas);
     let stars = StarLayer::new(face_texels, stars(face_texels));
     Sky::from_rows(face_texels, |face, row, texels| {
         for (column, texel) in (0..).zip(texels.iter_mut()) {
@@ -48,27 +49,30 @@ fn stars(face_texels: u32) -> Vec<Star> {
         .collect()
 }
 
-/// Light of the gas in a unit direction.
-fn gas(dir: Vec3) -> Vec3 {
-    let point = 1.5 * dir;
-    let flow = Vec3::new(
-        fractal(point + Vec3::new(3.1, 0.0, 7.7), 4),
-        fractal(point + Vec3::new(-5.2, 1.3, 2.9), 4),
-        fractal(point + Vec3::new(8.3, -6.1, 0.4), 4),
-    );
-    let bent = point + 1.1 * flow;
-    let density = smoothstep(-0.18, 0.70, fractal(bent, 6) + 0.5 * flow.z);
-    if density == 0.0 {
-        return NIGHT;
+/// Light of the gas in unit directions.
+#[inline(always)]
+fn gas(directions: &[Vec3; LANES]) -> [Vec3; LANES] {
+    let point = each(|i| 1.5 * directions[i]);
+    let flow_x = fractal(points(|i| point[i] + Vec3::new(3.1, 0.0, 7.7)), 4);
+    let flow_y = fractal(points(|i| point[i] + Vec3::new(-5.2, 1.3, 2.9)), 4);
+    let flow_z = fractal(points(|i| point[i] + Vec3::new(8.3, -6.1, 0.4)), 4);
+    let bent = each(|i| point[i] + 1.1 * Vec3::new(flow_x[i], flow_y[i], flow_z[i]));
+    let cloud = fractal(points(|i| bent[i]), 6);
+    let density: Values = each(|i| smoothstep(-0.18, 0.70, cloud[i] + 0.5 * flow_z[i]));
+    if density == [0.0; LANES] {
+        return [NIGHT; LANES];
     }
-    let filaments = ridged(1.7 * bent + Vec3::new(0.7, 4.4, -2.2), 6);
-    let dust = smoothstep(
-        0.05,
-        0.30,
-        fractal(2.2 * bent + Vec3::new(-1.5, 9.2, 3.3), 6),
-    );
-    let glow = density * (0.12 + 2.6 * filaments * filaments * filaments) * (1.0 - 0.85 * dust);
-    NIGHT + glow * colour(0.45 + 1.3 * flow.x + 0.7 * flow.y)
+    let filaments = ridged(points(|i| 1.7 * bent[i] + Vec3::new(0.7, 4.4, -2.2)), 6);
+    let dust = fractal(points(|i| 2.2 * bent[i] + Vec3::new(-1.5, 9.2, 3.3)), 6);
+    each(|i| {
+        if density[i] == 0.0 {
+            return NIGHT;
+        }
+        let (filaments, dust) = (filaments[i], smoothstep(0.05, 0.30, dust[i]));
+        let bright = 0.12 + 2.6 * filaments * filaments * filaments;
+        let glow = density[i] * bright * (1.0 - 0.85 * dust);
+        NIGHT + glow * colour(0.45 + 1.3 * flow_x[i] + 0.7 * flow_y[i])
+    })
 }
 
 /// The colour at `place`, 0 to 1, along [`COLOURS`].

@@ -5,18 +5,19 @@ use std::array::from_fn;
 use glam::{IVec3, Mat3, Vec3};
 
 /// Rotates and scales space between two octaves, so that their lattices never line up.
-const NEXT_OCTAVE: Mat3 = Mat3::from_cols_array(&[
+pub(super) const NEXT_OCTAVE: Mat3 = Mat3::from_cols_array(&[
     0.0, 1.624, 1.218, -1.624, 0.7308, -0.9744, -1.218, -0.9744, 1.2992,
 ]);
 /// Shift of the origin between two octaves; not a multiple of the lattice spacing.
-const OCTAVE_SHIFT: Vec3 = Vec3::new(17.31, -9.17, 5.83);
+pub(super) const OCTAVE_SHIFT: Vec3 = Vec3::new(17.31, -9.17, 5.83);
 
 /// Factors that spread lattice points over 32 bits: the fractional bits of √5, √7 and √11, made odd.
-const X_FACTOR: u32 = 0x3c6e_f373;
-const Y_FACTOR: u32 = 0xa54f_f53b;
-const Z_FACTOR: u32 = 0x510e_527f;
+pub(super) const X_FACTOR: u32 = 0x3c6e_f373;
+pub(super) const Y_FACTOR: u32 = 0xa54f_f53b;
+pub(super) const Z_FACTOR: u32 = 0x510e_527f;
 
 /// Mixes the bits of `x`; a bijection. The factors are the fractional bits of √2 and √3.
+#[inline(always)]
 pub(crate) fn hash(x: u32) -> u32 {
     let x = (x ^ (x >> 16)).wrapping_mul(0x6a09_e667);
     let x = (x ^ (x >> 15)).wrapping_mul(0xbb67_ae85);
@@ -86,10 +87,14 @@ pub(super) fn fractal(point: Vec3, octaves: u32) -> f32 {
 
 /// Fractal noise with bright creases where the octaves cross zero; about 0 to 1.
 pub(super) fn ridged(point: Vec3, octaves: u32) -> f32 {
-    octave_sum(point, octaves, |value| {
-        let crease = (1.0 - 2.5 * value.abs()).max(0.0);
-        0.6 * crease * crease
-    })
+    octave_sum(point, octaves, crease)
+}
+
+/// An octave of [`ridged`] from its noise.
+#[inline(always)]
+pub(super) fn crease(value: f32) -> f32 {
+    let crease = (1.0 - 2.5 * value.abs()).max(0.0);
+    0.6 * crease * crease
 }
 
 fn octave_sum(mut point: Vec3, octaves: u32, shape: impl Fn(f32) -> f32) -> f32 {
