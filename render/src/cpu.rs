@@ -11,7 +11,6 @@ use crate::stars;
 use glam::{DVec3, Vec3};
 use lensbake_core::RayOutcome;
 use rayon::prelude::*;
-use std::array::from_fn;
 
 /// Draws `scene`. [`Sampling::Anisotropic`] is drawn as [`Sampling::Filtered`]. `row_done` is called after each row of
 /// pixels.
@@ -106,9 +105,14 @@ fn single(
     pixels: &mut [[f32; 3]],
 ) {
     let camera = &scene.lens.camera;
-    let directions: [DVec3; RAYS] = from_fn(|i| camera.direction(first + i as u32, row));
-    let seen = directions.map(|direction| camera.unboosted(direction).0);
-    let angles = seen.map(ViewAngle::of);
+    let (mut directions, mut seen) = ([DVec3::ZERO; RAYS], [DVec3::ZERO; RAYS]);
+    let mut angles = [ViewAngle { cos: 0.0, sin: 1.0 }; RAYS];
+    let rays = directions.iter_mut().zip(&mut seen).zip(&mut angles);
+    for (column, ((direction, seen), angle)) in (first..).zip(rays.take(pixels.len())) {
+        *direction = camera.direction(column, row);
+        *seen = camera.unboosted(*direction).0;
+        *angle = ViewAngle::of(*seen);
+    }
     deflector.deflect(&angles[..pixels.len()], |i, outcome| {
         let sky = match outcome {
             RayOutcome::Captured => Vec3::ZERO,

@@ -94,8 +94,13 @@ impl<'a> FilteredPixels<'a> {
         mut each: impl FnMut(usize, Vec4),
     ) {
         let at = |i: usize| self.lens.camera.position(first + i as u32, row);
-        let patches: [Patch; RAYS] = std::array::from_fn(|i| self.patch(at(i), 1.0));
-        let angles = patches.map(|patch| patch.view_angle);
+        let mut patches = [self.patch(at(0), 1.0); RAYS];
+        let mut angles = [patches[0].view_angle; RAYS];
+        let rest = patches.iter_mut().zip(&mut angles).enumerate();
+        for (i, (patch, angle)) in rest.take(count as usize).skip(1) {
+            *patch = self.patch(at(i), 1.0);
+            *angle = patch.view_angle;
+        }
         deflector.deflect(&angles[..count as usize], |i, outcome| {
             let whole = &patches[i];
             let light = match self.kind(whole) {

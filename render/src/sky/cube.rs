@@ -13,6 +13,13 @@ pub struct Cube {
     texels: Vec<[f16; 4]>,
 }
 
+/// The light of several directions. It is a trait and not a closure, because only what is inlined is compiled for the
+/// instructions of `pulp`.
+pub(super) trait Light {
+    /// The light of unit directions. To be inlined always.
+    fn of(&self, directions: &[Vec3; LANES]) -> [Vec3; LANES];
+}
+
 /// Directions in which the columns and rows of a face run, and the direction of its centre.
 struct FaceAxes {
     right: Vec3,
@@ -115,12 +122,8 @@ impl Cube {
         })
     }
 
-    /// As [`Cube::from_fn`], for a `light` of [`LANES`] directions at a time, which must be inlined always: it is compiled for
-    /// the instructions of `pulp`.
-    pub(super) fn from_directions(
-        face_texels: u32,
-        light: impl Fn(&[Vec3; LANES]) -> [Vec3; LANES] + Sync,
-    ) -> Self {
+    /// As [`Cube::from_fn`], for the light of [`LANES`] directions at a time.
+    pub(super) fn from_directions(face_texels: u32, light: impl Light + Sync) -> Self {
         Self::from_rows(face_texels, |face, row, texels| {
             Arch::new().dispatch(RowOfTexels {
                 face_texels,
@@ -242,7 +245,13 @@ impl Cube {
 
     #[inline]
     fn rgba(&self, index: usize) -> Vec4 {
-        Vec4::from_array(self.texels[index].map(positive_to_f32))
+        let [red, green, blue, alpha] = self.texels[index];
+        Vec4::new(
+            positive_to_f32(red),
+            positive_to_f32(green),
+            positive_to_f32(blue),
+            positive_to_f32(alpha),
+        )
     }
 }
 
@@ -255,7 +264,7 @@ struct RowOfTexels<'a, F> {
     light: &'a F,
 }
 
-impl<F: Fn(&[Vec3; LANES]) -> [Vec3; LANES]> NullaryFnOnce for RowOfTexels<'_, F> {
+impl<F: Light> NullaryFnOnce for RowOfTexels<'_, F> {
     type Output = ();
 
     #[inline(always)]
@@ -266,7 +275,7 @@ impl<F: Fn(&[Vec3; LANES]) -> [Vec3; LANES]> NullaryFnOnce for RowOfTexels<'_, F
                 let column = ((part * LANES + i) as u32).min(self.face_texels - 1);
                 texel_direction(self.face_texels, self.face, column, self.row)
             });
-            let light = (self.light)(&directions);
+            let light = self.light.of(&directions);
             texels.copy_from_slice(&light[..texels.len()]);
         }
     }

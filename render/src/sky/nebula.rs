@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use super::Sky;
 use super::built_in_stars::{Star, StarLayer};
-use super::cube::Cube;
+use super::cube::{Cube, Light};
 use super::noise::{Random, smoothstep};
 use super::noise_lanes::{LANES, Values, each, fractal, points, ridged};
 
@@ -29,7 +29,7 @@ const NIGHT: Vec3 = Vec3::new(0.0010, 0.0014, 0.0032);
 /// If `face_texels` is 0.
 pub fn nebula(face_texels: u32) -> Sky {
     // The gas has no detail as fine as a texel, so half the resolution is enough.
-    let gas = Cube::from_directions(face_texels.div_ceil(2), gas);
+    let gas = Cube::from_directions(face_texels.div_ceil(2), Gas);
     let stars = StarLayer::new(face_texels, stars(face_texels));
     Sky::from_rows(face_texels, |face, row, texels| {
         for (column, texel) in (0..).zip(texels.iter_mut()) {
@@ -47,6 +47,16 @@ fn stars(face_texels: u32) -> Vec<Star> {
             Star::random(&mut random, direction, FAINTEST_STAR, face_texels)
         })
         .collect()
+}
+
+/// The gas.
+struct Gas;
+
+impl Light for Gas {
+    #[inline(always)]
+    fn of(&self, directions: &[Vec3; LANES]) -> [Vec3; LANES] {
+        gas(directions)
+    }
 }
 
 /// Light of the gas in unit directions.

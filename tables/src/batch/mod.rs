@@ -159,7 +159,8 @@ impl RowBatch<'_> {
         let q: Lanes = each(|i| position::<BELOW>(root[i], d[i]));
         let last = self.cubics.len() as f64;
         let texels: Lanes = each(|i| q[i].clamp(0.0, 1.0) * last);
-        let rounded: Lanes = each(|i| texels[i] - 0.5 + ROUNDING);
+        // At the last texel it is the last interval, and t is 1.
+        let rounded: Lanes = each(|i| (texels[i] - 0.5 + ROUNDING).min(last - 1.0 + ROUNDING));
         let t: Lanes = each(|i| texels[i] - (rounded[i] - ROUNDING));
         let cubic: [[f64; 4]; LANES] = each(|i| self.cubic(rounded[i].to_bits()));
         let ln: Lanes = each(|i| ln(d[i]));

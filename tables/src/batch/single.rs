@@ -39,8 +39,8 @@ impl<'a> RowBatchF32<'a> {
     /// rest of the longer slice is left alone.
     ///
     /// Only 1 − x is given, because next to the edge of the shadow it cannot be computed from x or from the view angle in
-    /// f32. Within 8e-7 rad of [`Row::bend`](crate::Row::bend) at the same 1 − x from 1e-6, for observers at rest, falling
-    /// or below the horizon; closer to the edge the bending is larger, and so is the spacing of f32.
+    /// f32. Within 7e-7 rad of [`Row::bend`](crate::Row::bend) at the same 1 − x from 1e-6 above the horizon, and within 1e-6 rad
+    /// down to r = 0.01; closer to the edge the bending is larger, and so is the spacing of f32.
     pub fn bend(&self, one_minus_x: &[f32], bends: &mut [f32]) {
         if self.batch.row.axis().is_residual() {
             Arch::new().dispatch(Lookup {
@@ -68,7 +68,8 @@ impl<'a> RowBatchF32<'a> {
         let q: Lanes = each(|i| position::<BELOW>(root[i], d[i]));
         let last = self.cubics.len() as f32;
         let texels: Lanes = each(|i| q[i].clamp(0.0, 1.0) * last);
-        let rounded: Lanes = each(|i| texels[i] - 0.5 + ROUNDING);
+        // At the last texel it is the last interval, and t is 1.
+        let rounded: Lanes = each(|i| (texels[i] - 0.5 + ROUNDING).min(last - 1.0 + ROUNDING));
         let t: Lanes = each(|i| texels[i] - (rounded[i] - ROUNDING));
         let cubic: [[f32; 4]; LANES] = each(|i| self.cubic(rounded[i].to_bits()));
         let k: Lanes = each(|i| ln_parts(d[i])[0]);
