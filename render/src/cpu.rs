@@ -1,9 +1,9 @@
 //! The CPU renderer in f64, parallel over rows of pixels: the reference for the GPU renderer.
 
-use crate::camera::{Camera, Mapping};
+use crate::camera::{Camera, Mapping, ViewAngle};
 use crate::disc::{Disc, SeenDisc};
 use crate::filter::FilteredPixels;
-use crate::lens::Lens;
+use crate::lens::{Deflector, Lens, RAYS};
 use crate::picture::Picture;
 use crate::scene::{Sampling, Scene};
 use crate::shift::Rendition;
@@ -38,10 +38,18 @@ pub fn render(scene: &Scene, row_done: impl Fn() + Sync) -> Picture {
     let disc = scene
         .disc
         .map(|disc| SeenDisc::new(lens, disc, scene.rendition));
-    let pixels = by_pixel(camera, row_done, |column, row| match scene.sampling {
-        Sampling::Single => single(scene, disc.as_ref(), camera.direction(column, row)).to_array(),
-        Sampling::Filtered | Sampling::Anisotropic => {
-            filtered.light(sky, column, row).truncate().to_array()
+    let deflector = Deflector::new(lens);
+    let pixels = by_part(camera, row_done, |[column, row], pixels| {
+        match scene.sampling {
+            Sampling::Single => {
+                single(scene, &deflector, disc.as_ref(), [column, row], pixels);
+            }
+            Sampling::Filtered | Sampling::Anisotropic => {
+                let count = pixels.len() as u32;
+                filtered.lights(&deflector, sky, [column, row], count, |i, light| {
+                    pixels[i] = light.truncate().to_array();
+                });
+            }
         }
     });
     let mut picture = Picture::new(camera.width, camera.height, pixels);
@@ -88,20 +96,39 @@ pub fn add_stars(
     picture.add_picture(&stars);
 }
 
-/// The light of the single ray with the unit view `direction`, in the hole frame.
-fn single(scene: &Scene, disc: Option<&SeenDisc>, direction: DVec3) -> Vec3 {
-    let sky = match scene.lens.ray(direction) {
-        RayOutcome::Captured => Vec3::ZERO,
-        RayOutcome::Escapes(ray) => {
-            let on_sky = scene.lens.camera.sky_from_hole * ray.direction;
-            let light = scene.sky.sample(on_sky.as_vec3());
-            scene.rendition.seen(light, || ray.frequency_shift)
-        }
-    };
-    match disc {
-        Some(disc) => disc.before(direction, sky.extend(1.0)).truncate(),
-        None => sky,
+/// Writes the light of the single rays of the pixels of a row from (column, row) = `first` on.
+fn single(
+    scene: &Scene,
+    deflector: &Deflector,
+    disc: Option<&SeenDisc>,
+    [first, row]: [u32; 2],
+    pixels: &mut [[f32; 3]],
+) {
+    let camera = &scene.lens.camera;
+    let (mut directions, mut seen) = ([DVec3::ZERO; RAYS], [DVec3::ZERO; RAYS]);
+    let mut angles = [ViewAngle { cos: 0.0, sin: 1.0 }; RAYS];
+    let rays = directions.iter_mut().zip(&mut seen).zip(&mut angles);
+    for (column, ((direction, seen), angle)) in (first..).zip(rays.take(pixels.len())) {
+        *direction = camera.direction(column, row);
+        *seen = camera.unboosted(*direction).0;
+        *angle = ViewAngle::of(*seen);
     }
+    deflector.deflect(&angles[..pixels.len()], |i, outcome| {
+        let sky = match outcome {
+            RayOutcome::Captured => Vec3::ZERO,
+            RayOutcome::Escapes(deflected) => {
+                let on_sky = camera.sky_from_hole * angles[i].turn(seen[i], deflected.sky);
+                let light = scene.sky.sample(on_sky.as_vec3());
+                let shift = || scene.lens.frequency_shift(seen[i]);
+                scene.rendition.seen(light, shift)
+            }
+        };
+        let light = match disc {
+            Some(disc) => disc.before(directions[i], sky.extend(1.0)).truncate(),
+            None => sky,
+        };
+        pixels[i] = light.to_array();
+    });
 }
 
 /// Traces the ray of each pixel's centre: unit directions on the sky in the hole frame, row-major
@@ -112,6 +139,24 @@ pub fn trace(lens: &Lens, row_done: impl Fn() + Sync) -> Vec<RayOutcome<DVec3>> 
         lens.ray(camera.direction(column, row))
             .map(|ray| ray.direction)
     })
+}
+
+/// Calls `f` with the first (column, row) of every part of a row of pixels and with those pixels, at most [`RAYS`]; rows in
+/// parallel. Returns the pixels row-major, `[height][width]`. `row_done` is called once for each row.
+fn by_part(
+    camera: &Camera,
+    row_done: impl Fn() + Sync,
+    f: impl Fn([u32; 2], &mut [[f32; 3]]) + Sync,
+) -> Vec<[f32; 3]> {
+    let mut pixels = vec![[0.0; 3]; camera.pixels()];
+    let rows = pixels.par_chunks_mut(camera.width as usize);
+    rows.zip(0..camera.height).for_each(|(pixels, row)| {
+        for (column, part) in (0..).step_by(RAYS).zip(pixels.chunks_mut(RAYS)) {
+            f([column, row], part);
+        }
+        row_done();
+    });
+    pixels
 }
 
 /// Calls `f` with the (column, row) of every pixel, rows in parallel. Returns the results row-major,

@@ -8,7 +8,7 @@
 
 use crate::disc::{Disc, SeenDisc};
 use crate::footprint::Patch;
-use crate::lens::{Deflected, Lens};
+use crate::lens::{Deflected, Deflector, Lens, RAYS};
 use crate::shadow::{Shadow, SkyPart};
 use crate::shift::Rendition;
 use crate::sky::Sky;
@@ -81,6 +81,35 @@ impl<'a> FilteredPixels<'a> {
     /// pixel's area that sees the sky or the disc.
     pub fn light(&self, sky: &Sky, column: u32, row: u32) -> Vec4 {
         self.light_before(Some(sky), column, row)
+    }
+
+    /// The light of the pixels of a row from `first` on: as [`FilteredPixels::light`] of each, their rays deflected together.
+    /// Calls `each` with the index and the light of every one of `count` pixels, at most [`RAYS`].
+    pub(crate) fn lights(
+        &self,
+        deflector: &Deflector,
+        sky: &Sky,
+        [first, row]: [u32; 2],
+        count: u32,
+        mut each: impl FnMut(usize, Vec4),
+    ) {
+        let at = |i: usize| self.lens.camera.position(first + i as u32, row);
+        let mut patches = [self.patch(at(0), 1.0); RAYS];
+        let mut angles = [patches[0].view_angle; RAYS];
+        let rest = patches.iter_mut().zip(&mut angles).enumerate();
+        for (i, (patch, angle)) in rest.take(count as usize).skip(1) {
+            *patch = self.patch(at(i), 1.0);
+            *angle = patch.view_angle;
+        }
+        deflector.deflect(&angles[..count as usize], |i, outcome| {
+            let whole = &patches[i];
+            let light = match self.kind(whole) {
+                Kind::Shadow => self.behind_inward(whole, Vec4::ZERO),
+                Kind::Sky => self.light_of_deflected(Some(sky), whole, outcome),
+                Kind::Edge => self.edge_light(Some(sky), at(i)),
+            };
+            each(i, light);
+        });
     }
 
     /// The share of the light behind the disc that pixel (column, row) gets, 0 to 1.
@@ -208,7 +237,17 @@ impl<'a> FilteredPixels<'a> {
 
     /// The mean light over a patch away from the shadow's edge.
     fn light_of(&self, sky: Option<&Sky>, patch: &Patch) -> Vec4 {
-        let RayOutcome::Escapes(deflected) = self.lens.deflect(patch.view_angle) else {
+        self.light_of_deflected(sky, patch, self.lens.deflect(patch.view_angle))
+    }
+
+    /// As [`FilteredPixels::light_of`], with the outcome of the ray.
+    fn light_of_deflected(
+        &self,
+        sky: Option<&Sky>,
+        patch: &Patch,
+        outcome: RayOutcome<Deflected>,
+    ) -> Vec4 {
+        let RayOutcome::Escapes(deflected) = outcome else {
             return Vec4::ZERO;
         };
         let light = self.sky_light(sky, patch, deflected, MAX_TAPS);
@@ -245,13 +284,18 @@ impl<'a> FilteredPixels<'a> {
         let Some(sky) = sky else {
             return Vec4::ZERO;
         };
-        let footprint = patch
-            .footprint(deflected)
-            .in_frame(&self.lens.camera.sky_from_hole);
-        let taps = footprint.taps(sky.face_texels().into(), most_taps);
-        let sample = |direction: DVec3| sky.sample_level(direction.as_vec3(), taps.level as f32);
-        let sum: Vec3 = taps.directions(footprint.direction).map(sample).sum();
-        let light = sum / taps.count as f32;
+        let sky_from_hole = &self.lens.camera.sky_from_hole;
+        let (on_sky, face_texels) = (*sky_from_hole * patch.on_sky(deflected), sky.face_texels());
+        let light = if patch.is_magnified(deflected, on_sky, face_texels.into()) {
+            sky.sample(on_sky.as_vec3())
+        } else {
+            let footprint = patch.footprint(deflected).in_frame(sky_from_hole);
+            let taps = footprint.taps(face_texels.into(), most_taps);
+            let sample =
+                |direction: DVec3| sky.sample_level(direction.as_vec3(), taps.level as f32);
+            let sum: Vec3 = taps.directions(footprint.direction).map(sample).sum();
+            sum / taps.count as f32
+        };
         let shift = || self.lens.frequency_shift(patch.direction);
         self.rendition.seen(light, shift).extend(1.0)
     }

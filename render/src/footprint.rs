@@ -67,17 +67,18 @@ pub struct Taps {
 impl Patch {
     /// The patch around `ray` with the sides `right` and `down`. None of the three needs to be normalised.
     pub fn new(ray: DVec3, right: DVec3, down: DVec3) -> Self {
-        let length = ray.length();
-        let direction = ray / length;
+        let inverse_length = ray.length_recip();
+        let direction = ray * inverse_length;
         let view_angle = ViewAngle::of(direction);
         let radius = if view_angle.sin > 0.0 {
-            direction.truncate() / view_angle.sin
+            direction.truncate() * view_angle.sin.recip()
         } else {
             DVec2::X
         };
         let radial = (radius * view_angle.cos).extend(view_angle.sin);
         let tangential = radius.perp().extend(0.0);
-        let steps = |step: DVec3| DVec2::new(step.dot(radial), step.dot(tangential)) / length;
+        let steps =
+            |step: DVec3| DVec2::new(step.dot(radial), step.dot(tangential)) * inverse_length;
         Patch {
             direction,
             view_angle,
@@ -107,7 +108,26 @@ impl Patch {
 
     /// |dθ| across the patch along the gradient of θ, rad.
     pub fn gradient(&self) -> f64 {
-        self.right.x.hypot(self.down.x)
+        DVec2::new(self.right.x, self.down.x).length()
+    }
+
+    /// Whether the sky is magnified, so that the footprint takes one bilinear tap of a cube map of `face_texels`
+    /// ([`Footprint::taps`]), which has `on_sky`, the direction after deflection, in its own frame.
+    pub fn is_magnified(&self, deflected: Deflected, on_sky: DVec3, face_texels: f64) -> bool {
+        let stretch = |deflected: Deflected| match self.view_angle.sin > 0.0 {
+            true => deflected.sky.sin / self.view_angle.sin,
+            false => deflected.radial,
+        };
+        let (radial, tangential) = (deflected.radial, stretch(deflected));
+        let square = |along: f64, a: f64, b: f64| along * along * (a * a + b * b);
+        let size_sq = square(radial, self.right.x, self.down.x)
+            + square(tangential, self.right.y, self.down.y);
+        takes_one_tap(on_sky, size_sq, face_texels)
+    }
+
+    /// The unit direction on the sky after deflection.
+    pub fn on_sky(&self, deflected: Deflected) -> DVec3 {
+        self.view_angle.turn(self.direction, deflected.sky)
     }
 
     /// The patch moved by `angle` rad away from the hole, its radial length multiplied by `extent`.
@@ -129,7 +149,7 @@ impl Patch {
             self.tangential * deflected.radial
         };
         Footprint {
-            direction: self.view_angle.turn(self.direction, sky),
+            direction: self.on_sky(deflected),
             right: radial * self.right.x + tangential * self.right.y,
             down: radial * self.down.x + tangential * self.down.y,
         }
@@ -155,12 +175,8 @@ impl Footprint {
             along: DVec3::ZERO,
             step: 0.0,
         };
-        let size = self.direction.abs();
-        let depth = size.max_element();
-        let density = 0.5 * face_texels / (depth * depth);
-        if (self.right.length_squared() + self.down.length_squared()) * density * density
-            < ONE_TAP_SQ
-        {
+        let size_sq = self.right.length_squared() + self.down.length_squared();
+        if takes_one_tap(self.direction, size_sq, face_texels) {
             return one;
         }
         let on_face = OnFace::new(self.direction, face_texels);
@@ -203,6 +219,13 @@ impl Footprint {
             step,
         }
     }
+}
+
+/// Whether a footprint in this direction of the cube's frame, with steps of this sum of squares, takes one bilinear tap.
+fn takes_one_tap(direction: DVec3, size_sq: f64, face_texels: f64) -> bool {
+    let depth = direction.abs().max_element();
+    let density = 0.5 * face_texels / (depth * depth);
+    size_sq * density * density < ONE_TAP_SQ
 }
 
 impl Taps {

@@ -4,8 +4,8 @@
 use crate::camera::{Camera, ViewAngle};
 use glam::DVec3;
 use lensbake_core::rk4::Stepper;
-use lensbake_core::{BendAndSlope, Observer, RayOutcome, direct, exact};
-use lensbake_tables::{Axis, Row, RowFormat, Table, TableError};
+use lensbake_core::{BendAndSlope, Observer, RayOutcome, ShadowCoordinate, direct, exact};
+use lensbake_tables::{Axis, Row, RowBatch, RowFormat, Table, TableError};
 use thiserror::Error;
 
 /// Deflection method.
@@ -246,7 +246,7 @@ impl Jacobian {
 /// Ray outcome by table lookup.
 pub fn look_up(row: &Row, angle: ViewAngle) -> RayOutcome<Deflected> {
     let observer = row.observer();
-    let at = observer.shadow_coordinate(angle.radians());
+    let at = observer.shadow_coordinate_of(angle.cos, angle.sin);
     row.bend_and_slope(at)
         .map(|bending| turn(observer, angle, at.x, bending))
 }
@@ -281,6 +281,60 @@ fn undeflected(observer: &Observer, angle: ViewAngle) -> RayOutcome<Deflected> {
             sky: angle,
             radial: 1.0,
         })
+    }
+}
+
+/// The deflection of many rays in turn: by [`Lens::deflect`], or if that is a table lookup by one of many rays at once.
+#[derive(Debug)]
+pub(crate) struct Deflector<'a> {
+    lens: &'a Lens,
+    batch: Option<RowBatch<'a>>,
+}
+
+/// Rays that are deflected together.
+pub(crate) const RAYS: usize = 64;
+
+impl<'a> Deflector<'a> {
+    pub(crate) fn new(lens: &'a Lens) -> Self {
+        let batch = (lens.deflection == Deflection::Lut).then(|| lens.row.batch());
+        Deflector { lens, batch }
+    }
+
+    /// Calls `each` with the index and the outcome of every one of `angles`, at most [`RAYS`].
+    pub(crate) fn deflect(
+        &self,
+        angles: &[ViewAngle],
+        mut each: impl FnMut(usize, RayOutcome<Deflected>),
+    ) {
+        let Some(batch) = &self.batch else {
+            for (i, &angle) in angles.iter().enumerate() {
+                each(i, self.lens.deflect(angle));
+            }
+            return;
+        };
+        let observer = self.lens.row.observer();
+        let mut at = [ShadowCoordinate {
+            x: 1.0,
+            one_minus_x: 0.0,
+        }; RAYS];
+        let mut bendings = [BendAndSlope {
+            bend: 0.0,
+            slope: 0.0,
+        }; RAYS];
+        for (at, angle) in at.iter_mut().zip(angles) {
+            *at = observer.shadow_coordinate_of(angle.cos, angle.sin);
+        }
+        let rays = angles.len().min(RAYS);
+        batch.bend_and_slope(&at[..rays], &mut bendings[..rays]);
+        for (i, (&angle, (&at, &bending))) in
+            angles.iter().zip(at.iter().zip(&bendings)).enumerate()
+        {
+            let outcome = match at.one_minus_x <= 0.0 {
+                true => RayOutcome::Captured,
+                false => RayOutcome::Escapes(turn(observer, angle, at.x, bending)),
+            };
+            each(i, outcome);
+        }
     }
 }
 

@@ -63,7 +63,9 @@ pub enum Axis {
 }
 
 /// √X = 1 − (1 + e) q² + e q⁴ on the residual axis below the horizon.
-const STRETCH: f64 = 0.75;
+pub(crate) const STRETCH: f64 = 0.75;
+/// Bound on |dX/dq|, which is 0 straight away from the hole, where the stored slope is 0 as well.
+pub(crate) const SMALLEST_SLOPE: f64 = 1e-9;
 /// Exponent of σ = ((1−C)/2)^(3/5).
 const SCALE_EXPONENT: f64 = 0.6;
 
@@ -264,8 +266,7 @@ impl Axis {
     ) -> BendAndSlope {
         let logarithm = self.logarithm(observer, at);
         let q = self.position(at).clamp(0.0, 1.0);
-        // dX/dq = 0 straight away from the hole, where the stored slope is 0 as well: the bound avoids 0/0.
-        let dx_dq = self.coordinate_slope(q).min(-1e-9);
+        let dx_dq = self.coordinate_slope(q).min(-SMALLEST_SLOPE);
         BendAndSlope {
             bend: stored.value + logarithm.bend,
             slope: (stored.slope / dx_dq + logarithm.slope)

@@ -85,6 +85,7 @@ mod atlas;
 mod axis;
 #[cfg(feature = "baking")]
 pub mod baking;
+pub mod batch;
 #[cfg(feature = "files")]
 pub mod container;
 mod error;
@@ -109,6 +110,7 @@ pub mod text;
 
 pub use atlas::{ATLAS_BINARY, ATLAS_EXR, default_atlas};
 pub use axis::{Axis, Stored};
+pub use batch::{RowBatch, RowBatchF32};
 pub use error::TableError;
 #[cfg(feature = "files")]
 pub use error::{ContainerError, Problem};

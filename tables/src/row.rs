@@ -104,6 +104,11 @@ impl Row {
         self.axis
     }
 
+    /// The texels: values and slopes per texel.
+    pub(crate) fn texels(&self) -> &[[f64; 2]] {
+        &self.texels
+    }
+
     /// Number of texels.
     pub fn texel_count(&self) -> u32 {
         self.texels.len() as u32

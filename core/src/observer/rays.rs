@@ -19,13 +19,14 @@ impl Observer {
     pub fn bend_straight_away(&self, at: ShadowCoordinate) -> Option<BendAndSlope> {
         // Bound on x and on tan((π − θ)/2) = x / tan(θ_c/2), the angle from the outward direction.
         const NEAR: f64 = 1e-7;
-        let slope = self.bend_slope_away();
-        (at.x <= NEAR * self.tan_half_shadow.min(1.0) && !self.is_at_infinity()).then_some(
+        let is_away = at.x <= NEAR * self.tan_half_shadow.min(1.0) && !self.is_at_infinity();
+        is_away.then(|| {
+            let slope = self.bend_slope_away();
             BendAndSlope {
                 bend: slope * at.x,
                 slope,
-            },
-        )
+            }
+        })
     }
 
     /// The ray at the view angle `theta` from the direction of the hole, in [0, π] (rad).

@@ -18,7 +18,7 @@ impl ViewAngle {
     pub fn of(direction: DVec3) -> Self {
         ViewAngle {
             cos: -direction.z,
-            sin: direction.x.hypot(direction.y),
+            sin: direction.truncate().length(),
         }
     }
 

@@ -1,6 +1,6 @@
 //! A cube map at one resolution: the directions of its texels, and its seamless bilinear filter.
 
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 use half::f16;
 use half::slice::HalfFloatSliceExt;
 use rayon::prelude::*;
@@ -77,8 +77,15 @@ pub fn face_coordinates(dir: Vec3) -> (usize, f32, f32) {
     } else {
         usize::from(dir.x < 0.0)
     };
-    let (_, u, v) = plane_coordinates(face, dir);
-    (face, u, v)
+    let (u, v) = match face {
+        0 => (-dir.z / size.x, -dir.y / size.x),
+        1 => (dir.z / size.x, -dir.y / size.x),
+        2 => (dir.x / size.y, dir.z / size.y),
+        3 => (dir.x / size.y, -dir.z / size.y),
+        4 => (dir.x / size.z, -dir.y / size.z),
+        _ => (-dir.x / size.z, -dir.y / size.z),
+    };
+    (face, 0.5 * u + 0.5, 0.5 * v + 0.5)
 }
 
 /// Returns the depth of `dir` along the axis of a face, and where it meets the plane of that face: u and v, which
@@ -189,11 +196,11 @@ impl Cube {
         let [a, b, c, d] = if inside.contains(&column) && inside.contains(&row) {
             let first = self.index(face, column as u32, row as u32);
             let below = first + self.face_texels as usize;
-            [first, first + 1, below, below + 1].map(|index| self.light(index))
+            [first, first + 1, below, below + 1].map(|index| self.rgba(index))
         } else {
             self.border_quad(face, column, row)
         };
-        a.lerp(b, x).lerp(c.lerp(d, x), y)
+        a.lerp(b, x).lerp(c.lerp(d, x), y).truncate()
     }
 
     /// The texels of a row as linear RGB and A = 1.
@@ -210,12 +217,12 @@ impl Cube {
     /// The light of the texel at (column, row) and of those to the right, below and below right, if some lie off
     /// the face.
     #[cold]
-    fn border_quad(&self, face: usize, column: i32, row: i32) -> [Vec3; 4] {
+    fn border_quad(&self, face: usize, column: i32, row: i32) -> [Vec4; 4] {
         let quad = [(0, 0), (1, 0), (0, 1), (1, 1)]
             .map(|(right, down)| self.light_across_edge(face, column + right, row + down));
         // Three faces meet at a corner of the cube: the missing fourth texel is the mean of the other three.
         let corner = quad.iter().flatten().sum::<Vec3>() / 3.0;
-        quad.map(|light| light.unwrap_or(corner))
+        quad.map(|light| light.unwrap_or(corner).extend(1.0))
     }
 
     /// The light of a texel that may lie one step beyond an edge of its face, on the neighbouring face; `None`
@@ -248,8 +255,18 @@ impl Cube {
     }
 
     pub(super) fn light(&self, index: usize) -> Vec3 {
-        let [red, green, blue, _] = self.texels[index];
-        Vec3::new(red.to_f32(), green.to_f32(), blue.to_f32())
+        self.rgba(index).truncate()
+    }
+
+    #[inline]
+    fn rgba(&self, index: usize) -> Vec4 {
+        let [red, green, blue, alpha] = self.texels[index];
+        Vec4::new(
+            positive_to_f32(red),
+            positive_to_f32(green),
+            positive_to_f32(blue),
+            positive_to_f32(alpha),
+        )
     }
 }
 
@@ -268,6 +285,15 @@ fn store(light: &[Vec3], clamped: &mut [[f32; 4]], texels: &mut [[f16; 4]]) {
     }
     let stored = texels.as_flattened_mut();
     stored.convert_from_f32_slice(clamped.as_flattened());
+}
+
+/// The value of a finite number ≥ 0, or of −0, exactly: for four numbers at once this is three instructions, where the
+/// conversion of `half` asks for each of them whether the processor has one.
+#[inline(always)]
+fn positive_to_f32(value: f16) -> f32 {
+    // The exponents of the two formats differ by 112, also those of subnormal numbers.
+    const TWO_TO_112: f32 = f32::from_bits((127 + 112) << 23);
+    f32::from_bits(u32::from(value.to_bits() & 0x7fff) << 13) * TWO_TO_112
 }
 
 #[cfg(test)]

@@ -191,3 +191,23 @@ fn no_direction_panics() {
     }
     assert_eq!(sampled, 512);
 }
+
+#[test]
+fn positive_halves_are_converted_exactly() {
+    for bits in 0..f16::INFINITY.to_bits() {
+        let half = f16::from_bits(bits);
+        assert_eq!(positive_to_f32(half).to_bits(), half.to_f32().to_bits());
+    }
+    assert_eq!(positive_to_f32(f16::NEG_ZERO), 0.0);
+}
+
+#[test]
+fn a_face_is_met_where_its_axes_say() {
+    let mut random = Random::new(3);
+    for _ in 0..10_000 {
+        let dir = random.direction();
+        let (face, u, v) = face_coordinates(dir);
+        let (_, plane_u, plane_v) = plane_coordinates(face, dir);
+        assert_eq!((u, v), (plane_u, plane_v), "{dir}");
+    }
+}

@@ -7,13 +7,12 @@ pub mod rays;
 pub mod rivals;
 
 use crate::methods::registry::{self, Methods};
-use crate::methods::{BendingMethod, InitialConditions, MethodInfo, MethodOutcome};
+use crate::methods::{BendingMethod, MethodInfo, MethodOutcome};
 use crate::timing::{self, Rounds};
 use lensbake_tables::TableError;
 use lensbake_tables::statistics::ErrorStatistics;
 use rayon::prelude::*;
 use rays::{ChartObserver, Ray};
-use std::hint::black_box;
 use std::time::Duration;
 
 /// How much to measure.
@@ -117,7 +116,7 @@ fn section(
         .collect();
     let batches: Vec<_> = methods
         .iter()
-        .map(|method| batch(method.as_ref(), &initial_conditions))
+        .map(|method| method.timed(&initial_conditions))
         .collect();
     let rounds = Rounds {
         count: workload.rounds,
@@ -143,14 +142,4 @@ fn section(
         })
         .collect();
     Section { observer, entries }
-}
-
-/// The work that is timed.
-fn batch<'a>(
-    method: &'a dyn BendingMethod,
-    initial_conditions: &'a [InitialConditions],
-) -> Box<dyn Fn() + 'a> {
-    Box::new(|| {
-        black_box(method.bend_sum(black_box(initial_conditions)));
-    })
 }

@@ -1,6 +1,6 @@
 //! The methods that the chart and the stability atlas compare. Each is a type that implements [`BendingMethod`].
 //!
-//! Three of them call the project's own code: [`closed_form`], [`rk4_adaptive`] and [`default_row`]. That code
+//! Four of them call the project's own code: [`closed_form`], [`rk4_adaptive`], [`default_row`] and [`row_batch`]. That code
 //! does not depend on this module.
 
 pub mod atlas_fetch;
@@ -18,6 +18,7 @@ pub mod registry;
 pub mod rk4_adaptive;
 pub mod rk4_fixed;
 pub mod row_axis;
+pub mod row_batch;
 pub mod row_store;
 pub mod row_table;
 pub mod semi_implicit_euler;
@@ -28,6 +29,7 @@ pub use initial_conditions::InitialConditions;
 pub use outcome::MethodOutcome;
 
 use lensbake_core::Observer;
+use std::hint::black_box;
 
 /// The kind of a method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -98,8 +100,16 @@ pub trait BendingMethod: Send + Sync {
         true
     }
 
-    /// The sum of the bendings of all `initial_conditions`, rad. This is the loop that is timed; its calls of
-    /// [`BendingMethod::bend`] are statically dispatched.
+    /// The work that is timed: the bendings of all `initial_conditions`, once. What a method needs before, such as its input
+    /// in another layout, it prepares here.
+    fn timed<'a>(&'a self, initial_conditions: &'a [InitialConditions]) -> Box<dyn Fn() + 'a> {
+        Box::new(|| {
+            black_box(self.bend_sum(black_box(initial_conditions)));
+        })
+    }
+
+    /// The sum of the bendings of all `initial_conditions`, rad. This is the loop that is timed unless the method has
+    /// another; its calls of [`BendingMethod::bend`] are statically dispatched.
     fn bend_sum(&self, initial_conditions: &[InitialConditions]) -> f64 {
         initial_conditions
             .iter()

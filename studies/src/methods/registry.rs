@@ -12,6 +12,7 @@ use super::quadrature::Quadrature;
 use super::rk4_adaptive::Rk4Adaptive;
 use super::rk4_fixed::Rk4Fixed;
 use super::row_axis::RowAxis;
+use super::row_batch::{Precision, RowInBatches};
 use super::row_store::Format;
 use super::row_table::{Interpolation, Nodes, RowTable};
 use super::semi_implicit_euler::SemiImplicitEuler;
@@ -53,12 +54,16 @@ pub fn all(observer: Observer) -> Result<Methods, TableError> {
     Ok(methods)
 }
 
-/// The methods that serve `observer`, without tables other than the default row and [`AtlasFetch`].
+/// The methods that serve `observer`, without tables other than the default row, its lookups of many rays and
+/// [`AtlasFetch`].
 ///
 /// # Errors
 /// As [`all`].
 pub fn without_compared_tables(observer: Observer) -> Result<Methods, TableError> {
     let mut methods: Methods = vec![Box::new(DefaultRow::new(observer)?)];
+    for precision in [Precision::Double, Precision::Single] {
+        methods.push(Box::new(RowInBatches::new(observer, precision)?));
+    }
     if let Some(fetch) = AtlasFetch::new(observer) {
         methods.push(Box::new(fetch));
     }
@@ -159,9 +164,10 @@ mod tests {
         assert_eq!(labels.len(), methods.len());
         assert!(methods.iter().all(|m| !m.info().source.is_empty()));
         let tables = methods.iter().filter(|m| m.info().family == Family::Table);
-        // Three naive axes, two residual ones, and the fetch from the atlas; the default row is one of the tables.
-        assert_eq!(tables.count(), 3 * 9 * 4 * 2 + 2 * 9 * 5 * 3 + 1);
-        assert_eq!(methods.len(), 519);
+        // Three naive axes, two residual ones, the fetch from the atlas and two lookups of many rays; the default row is
+        // one of the tables.
+        assert_eq!(tables.count(), 3 * 9 * 4 * 2 + 2 * 9 * 5 * 3 + 3);
+        assert_eq!(methods.len(), 521);
     }
 
     #[test]
@@ -170,6 +176,6 @@ mod tests {
         let families = methods.iter().filter(|m| m.info().family == Family::Model);
         assert_eq!(families.count(), 1);
         let tables = methods.iter().filter(|m| m.info().family == Family::Table);
-        assert_eq!(tables.count(), 2 * 9 * 5 * 3 + 1);
+        assert_eq!(tables.count(), 2 * 9 * 5 * 3 + 3);
     }
 }
