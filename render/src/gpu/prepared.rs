@@ -10,6 +10,7 @@ use super::timestamps::PassTimestamps;
 use super::{GpuError, Passes, Region, ResidentScene, SkyOnDevice};
 use crate::disc::Disc;
 use crate::lens::Lens;
+use crate::scene::Sampling;
 use crate::shift::{Rendition, Shift};
 use std::sync::Arc;
 use wgpu::*;
@@ -36,7 +37,7 @@ impl Prepared {
         let mut prepared = Prepared {
             program: renderer.program(key),
             sky: Some(scene.sky.clone()),
-            resources: resources(renderer, lens, output, scene.rendition),
+            resources: resources(renderer, lens, key.output, scene.rendition),
         };
         if let Some(stars) = stars {
             prepared.resources.show_stars(lens, stars, scene.rendition);
