@@ -1,6 +1,7 @@
 //! Tile classification: `shaders/classify_tiles.wgsl` puts each tile of a filtered picture into the work queue of
 //! the simplest program that can draw it, and writes the arguments of each queue's indirect dispatch.
 
+use super::Gpu;
 use super::Region;
 use super::bindings::{bind_group, block_of};
 use super::camera_block::RegionBlock;
@@ -13,7 +14,7 @@ use wgpu::*;
 /// Invocations per workgroup of the classification, one for each tile.
 const CLASSIFIED: u32 = 64;
 /// Work queues of a region: one for each [`crate::filter::TileClass`].
-const QUEUES: u32 = 3;
+const QUEUES: u32 = 5;
 /// Bytes of the struct `Queue` in `shaders/classify_tiles.wgsl`, which begins with the arguments of an indirect
 /// dispatch.
 const QUEUE: u64 = 16;
@@ -40,12 +41,34 @@ pub(super) struct PassInputs<'a> {
     pub(super) row: &'a TextureView,
 }
 
+/// The value of the overridable constant of `shaders/work_queues.wgsl`, the rows of a tile that one invocation draws. A
+/// software adapter (llvmpipe, Mesa 22.3) takes as long to start an invocation and to look up its tile as a third of a
+/// picture of one ray per pixel.
+pub(super) fn rows_per_invocation(gpu: &Gpu) -> [(&'static str, f64); 1] {
+    [(
+        "ROWS",
+        if gpu.is_software() {
+            f64::from(TILE)
+        } else {
+            1.0
+        },
+    )]
+}
+
 impl TileClassifier {
-    pub(super) fn new(device: &Device, layouts: &Layouts, key: PipelineKey) -> Self {
+    /// The pipelines of `key`, with these values of overridable constants.
+    pub(super) fn new(
+        device: &Device,
+        layouts: &Layouts,
+        key: PipelineKey,
+        constants: &[(&str, f64)],
+    ) -> Self {
         let module = compute::module(device, "classify_tiles", key.classifier_source());
         let mut groups = vec![&layouts.compute().classify, &layouts.sky];
         groups.extend(key.disc.then_some(&layouts.disc));
-        let pipeline = |entry_point| compute::pipeline(device, entry_point, &groups, &module);
+        let pipeline = |entry_point| {
+            compute::specialised_pipeline(device, entry_point, &groups, &module, constants)
+        };
         TileClassifier {
             classify: pipeline(key.classifier_entry_point()),
             close: pipeline("close_queues"),
@@ -167,7 +190,7 @@ mod tests {
     use crate::gpu::frame_resources::FrameResources;
     use crate::gpu::source::{Output, Store};
     use crate::gpu::target::Target;
-    use crate::gpu::{Gpu, Renderer, SkyOnDevice};
+    use crate::gpu::{Renderer, SkyOnDevice};
     use crate::lens::{Deflection, Lens};
     use crate::scene::Sampling;
     use crate::shift::{Rendition, Shift};
@@ -177,8 +200,13 @@ mod tests {
     use lensbake_tables::default_atlas;
     use pollster::block_on;
 
-    const CLASSES: [TileClass; QUEUES as usize] =
-        [TileClass::OneTap, TileClass::OneRay, TileClass::ManyRays];
+    const CLASSES: [TileClass; QUEUES as usize] = [
+        TileClass::Shadow,
+        TileClass::OneTap,
+        TileClass::FirstLevel,
+        TileClass::OneRay,
+        TileClass::ManyRays,
+    ];
 
     /// The tiles in each queue of each of `regions`, as the GPU classifies them.
     fn classified(
@@ -250,7 +278,7 @@ mod tests {
             .map(|(first, count)| Region { first, count });
         let renderer = Renderer::new(&block_on(Gpu::open()).unwrap());
         let queues = classified(&renderer, &lens, &sky(&renderer, 64), &regions);
-        for (queues, (across, down)) in queues.chunks(3).zip([(26, 5), (25, 8)]) {
+        for (queues, (across, down)) in queues.chunks(QUEUES as usize).zip([(26, 5), (25, 8)]) {
             assert!(queues.iter().all(|queue| !queue.is_empty()), "{queues:?}");
             let mut queued = queues.concat();
             queued.sort_unstable();
@@ -263,7 +291,7 @@ mod tests {
     #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
     fn a_tile_has_at_least_the_class_of_each_of_its_pixels() {
         let renderer = Renderer::new(&block_on(Gpu::open()).unwrap());
-        let mut seen = [0; 3];
+        let mut seen = [0; QUEUES as usize];
         let velocity = |radial, tangential| Motion::Velocity { radial, tangential };
         for (radius, motion, yaw_deg, fov_deg, width) in [
             (25.0, Motion::Rest, 0.0, 90.0, 240),
