@@ -3,7 +3,7 @@
 //! Away from the shadow's edge (the critical curve of the lens) a pixel takes one ray and averages the sky over
 //! its footprint. Near the edge the footprint changes within the pixel (at δ pixels from the edge it is 1/δ rad
 //! long, at any picture size) and infinitely many images of the sky crowd together. The part of such a pixel outside
-//! the shadow is divided into 3 strips along the edge, each with one ray and its own footprint: within the pixel the
+//! the shadow is divided into 6 strips along the edge, each with one ray and its own footprint: within the pixel the
 //! edge is straight, and its distance gives the area of each strip.
 //!
 //! An edge that is too curved for that, of a shadow of few pixels, and a picture with a disc take 3 × 3 patches in place
@@ -21,7 +21,9 @@ use glam::{DVec2, DVec3, Vec3, Vec4};
 use lensbake_core::RayOutcome;
 use rayon::prelude::*;
 
-/// Strips of a pixel near the shadow's edge, and patches along each of its sides where the edge is not straight.
+/// Strips of a pixel near the shadow's edge.
+pub(crate) const STRIPS: u32 = 6;
+/// Patches along each side of a pixel near the shadow's edge where the edge is not straight.
 pub(crate) const SUB_RAYS: u32 = 3;
 /// Most taps along the long axis of a footprint, for the only ray of a pixel.
 pub(crate) const MAX_TAPS: u32 = 16;
@@ -139,7 +141,7 @@ impl<'a> FilteredPixels<'a> {
         let at = self.lens.camera.position(column, row);
         let whole = self.patch(at, 1.0);
         match self.kind(&whole) {
-            Kind::Edge if self.edge_is_straight(&whole) => SUB_RAYS - 1,
+            Kind::Edge if self.edge_is_straight(&whole) => STRIPS - 1,
             Kind::Edge => SUB_RAYS * SUB_RAYS - 1,
             Kind::Shadow | Kind::Sky => 0,
         }
@@ -216,7 +218,7 @@ impl<'a> FilteredPixels<'a> {
         let across = DVec2::new(whole.right.x, whole.down.x) / px;
         let reach = 0.5 * (across.x.abs() + across.y.abs());
         let edge = (-self.shadow.distance(whole.view_angle) / px).clamp(-reach, reach);
-        let width = (reach - edge) / f64::from(SUB_RAYS);
+        let width = (reach - edge) / f64::from(STRIPS);
         let strip = |i: u32| {
             let from = edge + f64::from(i) * width;
             let before = |distance| positive_share(distance, across.x, across.y);
@@ -225,7 +227,7 @@ impl<'a> FilteredPixels<'a> {
                 share: before(from + width) - before(from),
             }
         };
-        (0..SUB_RAYS).map(strip).collect()
+        (0..STRIPS).map(strip).collect()
     }
 
     /// The parts outside the shadow of the 3 × 3 patches of the pixel at `at`.

@@ -69,16 +69,17 @@ fn light_by(rays: Rays, whole: Patch, at: vec2<f32>) -> vec4<f32> {
         let reach = 0.5 * (abs(across.x) + abs(across.y));
         let edge = -shadow_distance(whole.c, whole.p, half_shadow()) / px;
         var near = select(clamp(edge, -reach, reach), -0.5, is_one);
-        let width = select((reach - near) / f32(rays.along), 1.0, is_one);
+        let width = select((reach - near) / f32(STRIPS), 1.0, is_one);
         var before = select(positive_share(near, across.x, across.y), 0.0, is_one);
-        var left = select(rays.along * rays.along, rays.along, is_straight);
+        let several = select(SUB_RAYS * SUB_RAYS, STRIPS, is_straight);
+        var left = select(several, 1u, is_one);
         loop {
             left--;
             let far = near + width;
             let through = select(positive_share(far, across.x, across.y), 1.0, left == 0u);
             var part = Part(moved(whole, 0.5 * (near + far) * px, width), through - before);
             if !is_straight && !is_one {
-                part = square_part(left, rays.along, at);
+                part = square_part(left, at);
             }
             sum += part.share * patch_light(part.seen, rays.most_taps);
             near = far;
@@ -91,10 +92,10 @@ fn light_by(rays: Rays, whole: Patch, at: vec2<f32>) -> vec4<f32> {
     return sum;
 }
 
-// The part outside the shadow of patch `i` of the pixel at `at`, of along × along patches.
-fn square_part(i: u32, along: u32, at: vec2<f32>) -> Part {
-    let side = 1.0 / f32(along);
-    let offset = (vec2(f32(i % along), f32(i / along)) + 0.5) * side - 0.5;
+// The part outside the shadow of patch `i` of the 3 × 3 patches of the pixel at `at`.
+fn square_part(i: u32, at: vec2<f32>) -> Part {
+    let side = 1.0 / f32(SUB_RAYS);
+    let offset = (vec2(f32(i % SUB_RAYS), f32(i / SUB_RAYS)) + 0.5) * side - 0.5;
     let square = patch_at(at + offset, side);
     let px = gradient(square);
     let part = sky_part(shadow_distance(square.c, square.p, half_shadow()), px, half_shadow());

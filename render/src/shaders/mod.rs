@@ -7,7 +7,7 @@
 //! naga.)
 
 use crate::filter::{
-    MAX_TAPS, MAX_TAPS_BESIDE_EDGE, NEAR_INSIDE, NEAR_OUTSIDE, STRAIGHT_EDGE, SUB_RAYS,
+    MAX_TAPS, MAX_TAPS_BESIDE_EDGE, NEAR_INSIDE, NEAR_OUTSIDE, STRAIGHT_EDGE, STRIPS, SUB_RAYS,
 };
 use crate::footprint::{ONE_TAP_LONG, ONE_TAP_SQ, SPACING};
 use crate::shift;
@@ -181,6 +181,7 @@ fn constants() -> String {
         ("TILE", TILE),
         ("PADDING", PADDING),
         ("SUB_RAYS", SUB_RAYS),
+        ("STRIPS", STRIPS),
         ("HALOS", halos.len() as u32),
     ];
     let floats = [
