@@ -8,7 +8,7 @@ fn disc_rays(
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(local_invocation_id) local: vec3<u32>,
 ) {
-    let first = first_pixel(MANY_RAYS, dispatch, workgroup, local);
+    let first = top_of_column(MANY_RAYS, dispatch, workgroup, local);
     var row = 0u;
     loop {
         let id = first + vec2(0u, row);

@@ -15,7 +15,7 @@
 @group(0) @binding(4) var<storage, read> tiles: array<u32>;
 
 // The first pixel of the region that invocation `local` of a workgroup draws, in the dispatch of a work queue.
-fn first_pixel(queue: u32, dispatch: vec3<u32>, workgroup: vec3<u32>, local: vec3<u32>) -> vec2<u32> {
+fn top_of_column(queue: u32, dispatch: vec3<u32>, workgroup: vec3<u32>, local: vec3<u32>) -> vec2<u32> {
     let row = local.y * ROWS;
     let entry = (workgroup.y * dispatch.x + workgroup.x) * ROWS + row / TILE;
     let tile = tiles[first_tile(queue) + entry];
@@ -29,7 +29,7 @@ fn shadow(
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(local_invocation_id) local: vec3<u32>,
 ) {
-    let first = first_pixel(SHADOW, dispatch, workgroup, local);
+    let first = top_of_column(SHADOW, dispatch, workgroup, local);
     var row = 0u;
     loop {
         let id = first + vec2(0u, row);
@@ -50,7 +50,7 @@ fn one_tap(
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(local_invocation_id) local: vec3<u32>,
 ) {
-    let first = first_pixel(ONE_TAP, dispatch, workgroup, local);
+    let first = top_of_column(ONE_TAP, dispatch, workgroup, local);
     var row = 0u;
     loop {
         let id = first + vec2(0u, row);
@@ -73,7 +73,7 @@ fn first_level(
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(local_invocation_id) local: vec3<u32>,
 ) {
-    let first = first_pixel(FIRST_LEVEL, dispatch, workgroup, local);
+    let first = top_of_column(FIRST_LEVEL, dispatch, workgroup, local);
     var row = 0u;
     loop {
         let id = first + vec2(0u, row);
@@ -95,7 +95,7 @@ fn one_ray(
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(local_invocation_id) local: vec3<u32>,
 ) {
-    let first = first_pixel(ONE_RAY, dispatch, workgroup, local);
+    let first = top_of_column(ONE_RAY, dispatch, workgroup, local);
     var row = 0u;
     loop {
         let id = first + vec2(0u, row);
@@ -117,7 +117,7 @@ fn many_rays(
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(local_invocation_id) local: vec3<u32>,
 ) {
-    let first = first_pixel(MANY_RAYS, dispatch, workgroup, local);
+    let first = top_of_column(MANY_RAYS, dispatch, workgroup, local);
     var row = 0u;
     loop {
         let id = first + vec2(0u, row);
