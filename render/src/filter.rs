@@ -3,7 +3,7 @@
 //! Away from the shadow's edge (the critical curve of the lens) a pixel takes one ray and averages the sky over
 //! its footprint. Near the edge the footprint changes within the pixel (at δ pixels from the edge it is 1/δ rad
 //! long, at any picture size) and infinitely many images of the sky crowd together. The part of such a pixel outside
-//! the shadow is divided into 6 strips along the edge, each with one ray and its own footprint: within the pixel the
+//! the shadow is divided into 7 strips along the edge, each with one ray and its own footprint: within the pixel the
 //! edge is straight, and its distance gives the area of each strip.
 //!
 //! An edge that is too curved for that, of a shadow of few pixels, and a picture with a disc take 3 × 3 patches in place
@@ -22,7 +22,7 @@ use lensbake_core::RayOutcome;
 use rayon::prelude::*;
 
 /// Strips of a pixel near the shadow's edge.
-pub(crate) const STRIPS: u32 = 6;
+pub(crate) const STRIPS: u32 = 7;
 /// Patches along each side of a pixel near the shadow's edge where the edge is not straight.
 pub(crate) const SUB_RAYS: u32 = 3;
 /// Most taps along the long axis of a footprint, for the only ray of a pixel.
