@@ -2,40 +2,65 @@
 //!
 //! Away from the shadow's edge (the critical curve of the lens) a pixel takes one ray and averages the sky over
 //! its footprint. Near the edge the footprint changes within the pixel (at δ pixels from the edge it is 1/δ rad
-//! long, at any picture size) and infinitely many images of the sky crowd together. Such pixels are divided into
-//! 3 × 3 patches, each with one ray and its own footprint. The distance to the edge gives the part of a patch that
-//! lies in the shadow, and the ray goes through the middle of the other part.
+//! long, at any picture size) and infinitely many images of the sky crowd together. The part of such a pixel outside
+//! the shadow is divided into 7 strips along the edge, each with one ray and its own footprint: within the pixel the
+//! edge is straight, and its distance gives the area of each strip.
+//!
+//! An edge that is too curved for that, of a shadow of few pixels, and a picture with a disc take 3 × 3 patches in place
+//! of the strips. The distance to the edge gives the part of a patch that lies in the shadow, and the ray goes through
+//! the middle of the other part.
 
+use crate::disc::coverage::positive_share;
 use crate::disc::{Disc, SeenDisc};
 use crate::footprint::Patch;
 use crate::lens::{Deflected, Deflector, Lens, RAYS};
-use crate::shadow::{Shadow, SkyPart};
+use crate::shadow::Shadow;
 use crate::shift::Rendition;
 use crate::sky::Sky;
 use glam::{DVec2, DVec3, Vec3, Vec4};
 use lensbake_core::RayOutcome;
 use rayon::prelude::*;
 
-/// Rays per side of a pixel near the shadow's edge.
+/// Strips of a pixel near the shadow's edge.
+pub(crate) const STRIPS: u32 = 7;
+/// Patches along each side of a pixel near the shadow's edge where the edge is not straight.
 pub(crate) const SUB_RAYS: u32 = 3;
 /// Most taps along the long axis of a footprint, for the only ray of a pixel.
 pub(crate) const MAX_TAPS: u32 = 16;
 /// Most taps along the long axis of a footprint, for each ray of a pixel near the shadow's edge.
 pub(crate) const MAX_TAPS_BESIDE_EDGE: u32 = 8;
-/// A pixel takes 3 × 3 rays up to this distance outside the shadow's edge, in pixels.
+/// A pixel takes several rays up to this distance outside the shadow's edge, in pixels.
 pub(crate) const NEAR_OUTSIDE: f64 = 3.0;
-/// A pixel takes 3 × 3 rays up to this distance inside the shadow's edge, in pixels.
+/// A pixel takes several rays up to this distance inside the shadow's edge, in pixels.
 pub(crate) const NEAR_INSIDE: f64 = 1.0;
+/// Smallest radius of the shadow, or of the window of sky below the photon sphere, whose edge counts as straight within
+/// a pixel, in pixels.
+pub(crate) const STRAIGHT_EDGE: f64 = 16.0;
 
 /// The work of the most expensive pixel of a tile, in ascending order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum TileClass {
-    /// One bilinear tap, or none: the sky is magnified, or the pixels are in the shadow.
+    /// None: the pixels are in the shadow.
+    Shadow,
+    /// One bilinear tap: the sky is magnified.
     OneTap,
+    /// One ray per pixel, with taps in the first mip level along its footprint.
+    FirstLevel,
     /// One ray per pixel, with taps along its footprint.
     OneRay,
-    /// 3 × 3 rays for some pixels, which are near the shadow's edge.
+    /// Several rays for some pixels, which are near the shadow's edge.
     ManyRays,
+}
+
+impl TileClass {
+    /// All classes, in ascending order.
+    pub const ALL: [TileClass; 5] = [
+        TileClass::Shadow,
+        TileClass::OneTap,
+        TileClass::FirstLevel,
+        TileClass::OneRay,
+        TileClass::ManyRays,
+    ];
 }
 
 /// How a pixel is sampled.
@@ -43,10 +68,17 @@ pub enum TileClass {
 enum Kind {
     /// In the shadow: black.
     Shadow,
-    /// Near the shadow's edge: 3 × 3 rays.
+    /// Near the shadow's edge: several rays.
     Edge,
     /// One ray, filtered over its footprint.
     Sky,
+}
+
+/// A part of a pixel near the shadow's edge that lies outside the shadow, and its share of the pixel's area.
+#[derive(Debug, Clone, Copy)]
+struct EdgePart {
+    patch: Patch,
+    share: f64,
 }
 
 /// The filtered pixels of the picture through a lens.
@@ -134,10 +166,7 @@ impl<'a> FilteredPixels<'a> {
         match self.kind(&self.patch(at, 1.0)) {
             Kind::Shadow => 0.0,
             Kind::Sky => 1.0,
-            Kind::Edge => {
-                let covered: f64 = self.edge_parts(at).map(|(_, part)| part.covered).sum();
-                covered / f64::from(SUB_RAYS * SUB_RAYS)
-            }
+            Kind::Edge => self.edge_parts(at).iter().map(|part| part.share).sum(),
         }
     }
 
@@ -150,7 +179,9 @@ impl<'a> FilteredPixels<'a> {
     /// Number of rays of pixel (column, row) beyond the first.
     pub fn extra_rays(&self, column: u32, row: u32) -> u32 {
         let at = self.lens.camera.position(column, row);
-        match self.kind(&self.patch(at, 1.0)) {
+        let whole = self.patch(at, 1.0);
+        match self.kind(&whole) {
+            Kind::Edge if self.edge_is_straight(&whole) => STRIPS - 1,
             Kind::Edge => SUB_RAYS * SUB_RAYS - 1,
             Kind::Shadow | Kind::Sky => 0,
         }
@@ -177,13 +208,13 @@ impl<'a> FilteredPixels<'a> {
                     .footprint(deflected)
                     .in_frame(&self.lens.camera.sky_from_hole);
                 let taps = footprint.taps(face_texels, MAX_TAPS);
-                if taps.count == 1 && taps.level == 0.0 {
-                    TileClass::OneTap
-                } else {
-                    TileClass::OneRay
+                match (taps.level, taps.count) {
+                    (0.0, 1) => TileClass::OneTap,
+                    (0.0, _) => TileClass::FirstLevel,
+                    _ => TileClass::OneRay,
                 }
             }
-            _ => TileClass::OneTap,
+            _ => TileClass::Shadow,
         }
     }
 
@@ -203,28 +234,66 @@ impl<'a> FilteredPixels<'a> {
         }
     }
 
-    /// The 3 × 3 patches of the pixel at `at`, each with the part of it that sees the sky.
-    fn edge_parts(&self, at: DVec2) -> impl Iterator<Item = (Patch, SkyPart)> {
+    /// Whether the pixel is divided into strips along the shadow's edge. A disc needs patches: its own edges cross them.
+    fn edge_is_straight(&self, whole: &Patch) -> bool {
+        let radius = 2.0 * self.shadow.half_sin.min(self.shadow.half_cos);
+        self.disc.is_none() && radius >= STRAIGHT_EDGE * whole.gradient()
+    }
+
+    /// The parts of the pixel at `at` outside the shadow.
+    fn edge_parts(&self, at: DVec2) -> Vec<EdgePart> {
+        let whole = self.patch(at, 1.0);
+        let mut parts = if self.edge_is_straight(&whole) {
+            self.strips(&whole)
+        } else {
+            self.squares(at)
+        };
+        parts.retain(|part| part.share > 0.0);
+        parts
+    }
+
+    /// The strips along the edge, equally wide, of the part of a pixel outside it.
+    fn strips(&self, whole: &Patch) -> Vec<EdgePart> {
+        let px = whole.gradient();
+        let across = DVec2::new(whole.right.x, whole.down.x) / px;
+        let reach = 0.5 * (across.x.abs() + across.y.abs());
+        let edge = (-self.shadow.distance(whole.view_angle) / px).clamp(-reach, reach);
+        let width = (reach - edge) / f64::from(STRIPS);
+        let strip = |i: u32| {
+            let from = edge + f64::from(i) * width;
+            let before = |distance| positive_share(distance, across.x, across.y);
+            EdgePart {
+                patch: whole.moved((from + 0.5 * width) * px, width),
+                share: before(from + width) - before(from),
+            }
+        };
+        (0..STRIPS).map(strip).collect()
+    }
+
+    /// The parts outside the shadow of the 3 × 3 patches of the pixel at `at`.
+    fn squares(&self, at: DVec2) -> Vec<EdgePart> {
         let side = 1.0 / f64::from(SUB_RAYS);
-        let offset = move |i: u32| (f64::from(i) + 0.5) * side - 0.5;
-        let places = (0..SUB_RAYS).flat_map(|y| (0..SUB_RAYS).map(move |x| (x, y)));
-        places.map(move |(x, y)| {
-            let patch = self.patch(at + DVec2::new(offset(x), offset(y)), side);
-            let distance = self.shadow.distance(patch.view_angle);
-            (patch, self.shadow.sky_part(distance, patch.gradient()))
-        })
+        let offset = |i: u32| (f64::from(i) + 0.5) * side - 0.5;
+        let square = |i: u32| {
+            let offset = DVec2::new(offset(i % SUB_RAYS), offset(i / SUB_RAYS));
+            let patch = self.patch(at + offset, side);
+            let (distance, px) = (self.shadow.distance(patch.view_angle), patch.gradient());
+            let part = self.shadow.sky_part(distance, px);
+            EdgePart {
+                patch: patch.moved(part.shift * px, part.extent),
+                share: part.covered * side * side,
+            }
+        };
+        (0..SUB_RAYS * SUB_RAYS).map(square).collect()
     }
 
     fn edge_light(&self, sky: Option<&Sky>, at: DVec2) -> Vec4 {
-        let mut sum = Vec4::ZERO;
-        for (patch, part) in self.edge_parts(at) {
-            if part.covered > 0.0 {
-                let outside = patch.moved(part.shift * patch.gradient(), part.extent);
-                sum += part.covered as f32 * self.outside_light(sky, &outside);
-            }
-        }
+        let parts = self.edge_parts(at);
+        let lights = parts
+            .iter()
+            .map(|part| part.share as f32 * self.outside_light(sky, &part.patch));
         // What is before the periapsis changes little within a pixel, also across the edge.
-        self.behind_inward(&self.patch(at, 1.0), sum / (SUB_RAYS * SUB_RAYS) as f32)
+        self.behind_inward(&self.patch(at, 1.0), lights.sum())
     }
 
     /// `light` with what the disc adds and hides before the periapsis of the rays of `patch`.

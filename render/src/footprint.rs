@@ -22,6 +22,9 @@ pub(crate) const SPACING: f64 = 1.5;
 /// A footprint of less than this squared length, in texels, takes one bilinear tap: the sky is magnified there, as
 /// in most of a picture.
 pub(crate) const ONE_TAP_SQ: f64 = 2.5;
+/// If the short axis of a footprint is at most 1 texel, a long axis of up to this many texels takes one tap: it needs no more
+/// than a row of [`SPACING`] texels, E² = W² − 1.
+pub(crate) const ONE_TAP_LONG: f64 = 1.8;
 
 /// A patch of the picture: a view direction and its steps across the patch, in the hole frame.
 #[derive(Debug, Clone, Copy, PartialEq)]

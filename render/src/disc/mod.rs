@@ -5,7 +5,7 @@
 //! meets it at most twice: once on its way towards the hole, and once on its way out to the sky (module `leg`). That
 //! holds for every image order, since no ray turns by half a turn outside the innermost stable orbit, r = 3.
 
-mod coverage;
+pub(crate) mod coverage;
 mod leg;
 mod light;
 mod pattern;

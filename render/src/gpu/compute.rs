@@ -40,6 +40,17 @@ pub(super) fn pipeline(
     groups: &[&BindGroupLayout],
     module: &ShaderModule,
 ) -> ComputePipeline {
+    specialised_pipeline(device, entry_point, groups, module, &[])
+}
+
+/// As [`pipeline`], with these values of overridable constants of the module.
+pub(super) fn specialised_pipeline(
+    device: &Device,
+    entry_point: &str,
+    groups: &[&BindGroupLayout],
+    module: &ShaderModule,
+    constants: &[(&str, f64)],
+) -> ComputePipeline {
     let label = Some(entry_point);
     let layout = pipeline_layout(device, entry_point, groups);
     device.create_compute_pipeline(&ComputePipelineDescriptor {
@@ -47,7 +58,10 @@ pub(super) fn pipeline(
         layout: Some(&layout),
         module,
         entry_point: label,
-        compilation_options: Default::default(),
+        compilation_options: PipelineCompilationOptions {
+            constants,
+            ..Default::default()
+        },
         cache: None,
     })
 }

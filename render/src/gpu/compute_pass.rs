@@ -8,6 +8,7 @@ use super::lights::Lights;
 use super::pipelines::ComputeProgram;
 use super::target::Target;
 use super::tile_queues::{PassInputs, WorkQueues};
+use crate::filter::TileClass;
 use crate::shaders::TILE;
 use wgpu::*;
 
@@ -76,10 +77,10 @@ impl ComputeResources {
         for (group, bound) in (1..).zip(lights.groups()) {
             pass.set_bind_group(group, bound, &[]);
         }
-        for (queue, pipeline) in program.pipelines.iter().enumerate() {
+        for (queue, (pipeline, class)) in program.pipelines.iter().zip(TileClass::ALL).enumerate() {
             pass.set_pipeline(pipeline);
             if program.classifier.is_some() {
-                if let Some(sky) = lights.sky_of_queue(queue) {
+                if let Some(sky) = lights.sky_of(class) {
                     pass.set_bind_group(1, sky, &[]);
                 }
                 self.queues.draw(pass, index, queue);

@@ -22,12 +22,12 @@ impl<'a> Lights<'a> {
         Some(self.on_sky?.bind_group(self.sampling))
     }
 
-    /// The sky as the program of a work queue samples it: the tiles of [`TileClass::OneTap`] need the first mip level alone.
-    pub(super) fn sky_of_queue(&self, queue: usize) -> Option<&'a BindGroup> {
-        let sampling = if queue == TileClass::OneTap as usize {
-            Sampling::Single
-        } else {
-            self.sampling
+    /// The sky as the program of a tile class samples it: the first mip level alone, where no other is needed.
+    pub(super) fn sky_of(&self, class: TileClass) -> Option<&'a BindGroup> {
+        let sampling = match (class, self.sampling) {
+            (TileClass::Shadow | TileClass::OneTap, _)
+            | (TileClass::FirstLevel, Sampling::Filtered) => Sampling::Single,
+            (_, sampling) => sampling,
         };
         Some(self.on_sky?.bind_group(sampling))
     }

@@ -1,13 +1,13 @@
 //! The pipelines of a device. Each is compiled when its key is first requested, and then cached.
 
 use super::Gpu;
-use super::compute::{module, pipeline};
+use super::compute::{module, specialised_pipeline};
 use super::layouts::{BAND_FORMAT, Layouts, TEXTURE_FORMAT};
 use super::pass::Pass;
 use super::render_pipeline::{FullScreen, full_screen_pipeline};
 use super::source::{PipelineKey, Store};
 use super::stars::StarPrograms;
-use super::tile_queues::TileClassifier;
+use super::tile_queues::{TileClassifier, rows_per_invocation};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use wgpu::*;
@@ -40,6 +40,8 @@ pub(super) struct ComputeProgram {
 pub(super) struct Pipelines {
     device: Device,
     pub(super) layouts: Layouts,
+    /// Overridable constants of programs that draw by tiles.
+    tile_constants: [(&'static str, f64); 1],
     cache: Mutex<Cache>,
 }
 
@@ -54,6 +56,7 @@ impl Pipelines {
     pub(super) fn new(gpu: &Gpu) -> Self {
         Pipelines {
             layouts: Layouts::new(gpu),
+            tile_constants: rows_per_invocation(gpu),
             device: gpu.device.clone(),
             cache: Mutex::default(),
         }
@@ -66,7 +69,15 @@ impl Pipelines {
             return program.clone();
         }
         let classifier = key.classifier().map(|key| {
-            let new = || Arc::new(TileClassifier::new(&self.device, &self.layouts, key));
+            let (device, layouts) = (&self.device, &self.layouts);
+            let new = || {
+                Arc::new(TileClassifier::new(
+                    device,
+                    layouts,
+                    key,
+                    &self.tile_constants,
+                ))
+            };
             cache.classifiers.entry(key).or_insert_with(new).clone()
         });
         let program = Arc::new(self.compile(key, classifier));
@@ -91,12 +102,18 @@ impl Pipelines {
         groups.extend(key.stars.then(|| &layouts.compute().star_lists));
         groups.extend(key.disc.then_some(&layouts.disc));
         let module = module(&self.device, key.name(), key.source());
+        let constants = match classifier {
+            Some(_) => self.tile_constants.as_slice(),
+            None => &[],
+        };
         let kind = match key.pass {
             Pass::Compute => ProgramKind::Compute(ComputeProgram {
                 pipelines: key
                     .entry_points()
                     .iter()
-                    .map(|entry_point| pipeline(&self.device, entry_point, &groups, &module))
+                    .map(|entry_point| {
+                        specialised_pipeline(&self.device, entry_point, &groups, &module, constants)
+                    })
                     .collect(),
                 classifier,
             }),

@@ -205,8 +205,12 @@ impl PipelineKey {
     /// the fragments and that of the vertices.
     pub fn entry_points(self) -> &'static [&'static str] {
         match self.pass {
-            Pass::Compute if self.averages() && self.disc => &["one_tap", "one_ray", "disc_rays"],
-            Pass::Compute if self.averages() => &["one_tap", "one_ray", "many_rays"],
+            Pass::Compute if self.averages() && self.disc => {
+                &["shadow", "one_tap", "first_level", "one_ray", "disc_rays"]
+            }
+            Pass::Compute if self.averages() => {
+                &["shadow", "one_tap", "first_level", "one_ray", "many_rays"]
+            }
             Pass::Compute => &["draw"],
             Pass::Fragment => &["draw", "corner"],
         }

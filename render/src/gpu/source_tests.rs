@@ -101,7 +101,14 @@ fn every_shader_with_a_disc_is_valid() {
         match key.classifier() {
             // The modules that the tiles share with pictures without a disc have its entry points, too.
             Some(classifier) => {
-                let entry_points = ["disc_rays", "one_tap", "one_ray", "many_rays"];
+                let entry_points = [
+                    "disc_rays",
+                    "shadow",
+                    "one_tap",
+                    "first_level",
+                    "one_ray",
+                    "many_rays",
+                ];
                 validate(&key.source(), &entry_points);
                 let entry_points = ["classify_disc_tiles", "classify_tiles", "close_queues"];
                 validate(&classifier.classifier_source(), &entry_points);

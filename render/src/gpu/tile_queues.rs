@@ -1,19 +1,20 @@
 //! Tile classification: `shaders/classify_tiles.wgsl` puts each tile of a filtered picture into the work queue of
 //! the simplest program that can draw it, and writes the arguments of each queue's indirect dispatch.
 
-use super::Region;
 use super::bindings::{bind_group, block_of};
 use super::camera_block::RegionBlock;
 use super::compute;
 use super::layouts::{ComputeLayouts, Layouts};
 use super::source::PipelineKey;
+use super::{Gpu, Region};
+use crate::filter::TileClass;
 use crate::shaders::{PADDING, TILE};
 use wgpu::*;
 
 /// Invocations per workgroup of the classification, one for each tile.
 const CLASSIFIED: u32 = 64;
-/// Work queues of a region: one for each [`crate::filter::TileClass`].
-const QUEUES: u32 = 3;
+/// Work queues of a region: one for each [`TileClass`].
+const QUEUES: u32 = TileClass::ALL.len() as u32;
 /// Bytes of the struct `Queue` in `shaders/classify_tiles.wgsl`, which begins with the arguments of an indirect
 /// dispatch.
 const QUEUE: u64 = 16;
@@ -40,12 +41,34 @@ pub(super) struct PassInputs<'a> {
     pub(super) row: &'a TextureView,
 }
 
+/// The value of the overridable constant of `shaders/work_queues.wgsl`, the rows of a tile that one invocation draws. A
+/// software adapter (llvmpipe, Mesa 22.3) takes as long to start an invocation and to look up its tile as a third of a
+/// picture of one ray per pixel.
+pub(super) fn rows_per_invocation(gpu: &Gpu) -> [(&'static str, f64); 1] {
+    [(
+        "ROWS",
+        if gpu.is_software() {
+            f64::from(TILE)
+        } else {
+            1.0
+        },
+    )]
+}
+
 impl TileClassifier {
-    pub(super) fn new(device: &Device, layouts: &Layouts, key: PipelineKey) -> Self {
+    /// The pipelines of `key`, with these values of overridable constants.
+    pub(super) fn new(
+        device: &Device,
+        layouts: &Layouts,
+        key: PipelineKey,
+        constants: &[(&str, f64)],
+    ) -> Self {
         let module = compute::module(device, "classify_tiles", key.classifier_source());
         let mut groups = vec![&layouts.compute().classify, &layouts.sky];
         groups.extend(key.disc.then_some(&layouts.disc));
-        let pipeline = |entry_point| compute::pipeline(device, entry_point, &groups, &module);
+        let pipeline = |entry_point| {
+            compute::specialised_pipeline(device, entry_point, &groups, &module, constants)
+        };
         TileClassifier {
             classify: pipeline(key.classifier_entry_point()),
             close: pipeline("close_queues"),
@@ -163,11 +186,11 @@ fn region_bytes() -> u64 {
 mod tests {
     use super::*;
     use crate::camera::{Camera, View};
-    use crate::filter::{FilteredPixels, TileClass};
+    use crate::filter::FilteredPixels;
     use crate::gpu::frame_resources::FrameResources;
     use crate::gpu::source::{Output, Store};
     use crate::gpu::target::Target;
-    use crate::gpu::{Gpu, Renderer, SkyOnDevice};
+    use crate::gpu::{Renderer, SkyOnDevice};
     use crate::lens::{Deflection, Lens};
     use crate::scene::Sampling;
     use crate::shift::{Rendition, Shift};
@@ -176,9 +199,6 @@ mod tests {
     use lensbake_core::Motion;
     use lensbake_tables::default_atlas;
     use pollster::block_on;
-
-    const CLASSES: [TileClass; QUEUES as usize] =
-        [TileClass::OneTap, TileClass::OneRay, TileClass::ManyRays];
 
     /// The tiles in each queue of each of `regions`, as the GPU classifies them.
     fn classified(
@@ -250,7 +270,7 @@ mod tests {
             .map(|(first, count)| Region { first, count });
         let renderer = Renderer::new(&block_on(Gpu::open()).unwrap());
         let queues = classified(&renderer, &lens, &sky(&renderer, 64), &regions);
-        for (queues, (across, down)) in queues.chunks(3).zip([(26, 5), (25, 8)]) {
+        for (queues, (across, down)) in queues.chunks(QUEUES as usize).zip([(26, 5), (25, 8)]) {
             assert!(queues.iter().all(|queue| !queue.is_empty()), "{queues:?}");
             let mut queued = queues.concat();
             queued.sort_unstable();
@@ -263,7 +283,7 @@ mod tests {
     #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
     fn a_tile_has_at_least_the_class_of_each_of_its_pixels() {
         let renderer = Renderer::new(&block_on(Gpu::open()).unwrap());
-        let mut seen = [0; 3];
+        let mut seen = [0; QUEUES as usize];
         let velocity = |radial, tangential| Motion::Velocity { radial, tangential };
         for (radius, motion, yaw_deg, fov_deg, width) in [
             (25.0, Motion::Rest, 0.0, 90.0, 240),
@@ -300,7 +320,7 @@ mod tests {
                 let lens = Lens::new(camera, default_atlas(), deflection).unwrap();
                 let queues = classified(&renderer, &lens, &sky, &[whole]);
                 let pixels = FilteredPixels::new(&lens, Rendition::default());
-                for (class, queue) in CLASSES.iter().zip(&queues) {
+                for (class, queue) in TileClass::ALL.iter().zip(&queues) {
                     for (tile, i) in queue.iter().flat_map(|t| (0..64).map(move |i| (t, i))) {
                         let column = TILE * (tile & 0xffff) + i % TILE;
                         let row = TILE * (tile >> 16) + i / TILE;

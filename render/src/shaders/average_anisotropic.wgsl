@@ -7,3 +7,8 @@
 fn average(print: Footprint, most_taps: f32) -> vec3<f32> {
     return textureSampleGrad(sky, sky_sampler, print.d, print.right, print.down).rgb;
 }
+
+// The same: that filter finds its level itself.
+fn first_level_average(print: Footprint) -> vec3<f32> {
+    return average(print, MAX_TAPS);
+}

@@ -43,7 +43,7 @@ fn class_of_tile(corner: vec2<f32>) -> u32 {
     let p = length(d.xy);
     let distance = shadow_distance(c, p, half_shadow());
     if distance < -NEAR_INSIDE * px - reach - rounding {
-        return ONE_TAP;
+        return SHADOW;
     }
     if distance < NEAR_OUTSIDE * px + reach + rounding {
         return MANY_RAYS;
@@ -62,9 +62,17 @@ fn class_of_tile(corner: vec2<f32>) -> u32 {
     let tangential = select(1.1 * radial, most_sin / least_sin, least_sin > 2.0 * reach);
     let size = abs(in_sky_frame(turn_direction(d, p, deflected)));
     let depth = max(size.x, max(size.y, size.z)) - 2.0 * reach * max(radial, tangential);
+    if depth <= 0.0 {
+        return ONE_RAY;
+    }
     let texels = 0.5 * f32(textureDimensions(sky).x) * px / (depth * depth);
-    let magnified = texels * texels * (radial * radial + tangential * tangential) < ONE_TAP_SQ;
-    return select(ONE_RAY, ONE_TAP, depth > 0.0 && magnified);
+    let long = texels * max(radial, tangential);
+    let short = texels * min(radial, tangential);
+    let is_short = short <= 1.0;
+    if long * long + short * short < ONE_TAP_SQ || (is_short && long <= ONE_TAP_LONG) {
+        return ONE_TAP;
+    }
+    return select(ONE_RAY, FIRST_LEVEL, is_short && long <= SPACING * MAX_TAPS);
 }
 
 @compute @workgroup_size(64)
@@ -79,7 +87,7 @@ fn classify_tiles(@builtin(global_invocation_id) id: vec3<u32>) {
 }
 
 // Writes the arguments of each queue's indirect dispatch and pads its last row of workgroups: one workgroup per
-// queue. The rows are as short as their number allows, so there is at most one padding entry per row.
+// queue. The rows are as short as their number allows, so there are at most ROWS padding entries per row.
 @compute @workgroup_size(PADDING)
 fn close_queues(
     @builtin(workgroup_id) queue: vec3<u32>,
@@ -87,10 +95,11 @@ fn close_queues(
 ) {
     let index = region.queues + queue.x;
     let count = atomicLoad(&queues[index].count);
-    let rows = (count + MAX_WORKGROUPS_PER_ROW - 1u) / MAX_WORKGROUPS_PER_ROW;
-    let across = (count + rows - 1u) / max(rows, 1u);
+    let workgroups = (count + ROWS - 1u) / ROWS;
+    let rows = (workgroups + MAX_WORKGROUPS_PER_ROW - 1u) / MAX_WORKGROUPS_PER_ROW;
+    let across = (workgroups + rows - 1u) / max(rows, 1u);
     let entry = count + local.x;
-    if entry < rows * across {
+    if entry < rows * across * ROWS {
         tiles[first_tile(queue.x) + entry] = NO_TILE;
     }
     if local.x == 0u {

@@ -8,9 +8,16 @@ fn disc_rays(
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(local_invocation_id) local: vec3<u32>,
 ) {
-    let id = queued_pixel(MANY_RAYS, dispatch, workgroup, local);
-    if !in_region(id) {
-        return;
+    let first = top_of_column(MANY_RAYS, dispatch, workgroup, local);
+    var row = 0u;
+    loop {
+        let id = first + vec2(0u, row);
+        if all(id < region.count) {
+            store(id, disc_pixel(id));
+        }
+        row++;
+        if row == ROWS {
+            break;
+        }
     }
-    store(id.xy, disc_pixel(id.xy));
 }

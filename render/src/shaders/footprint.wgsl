@@ -36,10 +36,12 @@ fn footprint(seen: Patch, deflected: Deflected) -> Footprint {
     );
 }
 
-// The small change `step` of a direction d, projected onto the cube face with this axis, in texels.
-fn texels_on_face(step: vec3<f32>, d: vec3<f32>, axis: vec3<f32>, face_texels: f32) -> vec3<f32> {
-    let inverse = 1.0 / dot(d, axis);
-    return (step - d * (dot(step, axis) * inverse)) * (abs(inverse) * 0.5 * face_texels);
+// The axes of a footprint on the face of a cube: their squared lengths in texels, and the longer one as a step across the
+// sky, rad.
+struct Axes {
+    long_sq: f32,
+    short_sq: f32,
+    long: vec3<f32>,
 }
 
 // Whether the sky is magnified over a footprint, so that one bilinear tap is its mean.
@@ -51,29 +53,63 @@ fn is_magnified(print: Footprint, face_texels: f32) -> bool {
     return bound < ONE_TAP_SQ;
 }
 
+// The component of v along the axis of the face that has the largest of the components `size`.
+fn along_axis(v: vec3<f32>, size: vec3<f32>) -> f32 {
+    let of_sides = select(v.x, v.y, size.y >= size.x);
+    return select(of_sides, v.z, size.z >= max(size.x, size.y));
+}
+
+// The axes of a footprint in the frame of the cube. A step s of the unit direction d is the step s − d s_a/d_a along the
+// face with the axis a, times texels/(2 |d_a|); with s·d = 0, products of two such steps s and t are s·t + s_a t_a/d_a².
+fn axes_of(print: Footprint, face_texels: f32) -> Axes {
+    let size = abs(print.d);
+    let inverse = 1.0 / max(size.x, max(size.y, size.z));
+    let density = 0.5 * face_texels * inverse;
+    let density_sq = density * density;
+    let right_a = along_axis(print.right, size) * inverse;
+    let down_a = along_axis(print.down, size) * inverse;
+    // The axes of the footprint's ellipse are the eigenvectors of the Gram matrix of the two steps.
+    let rr = density_sq * (dot(print.right, print.right) + right_a * right_a);
+    let dd = density_sq * (dot(print.down, print.down) + down_a * down_a);
+    let rd = density_sq * (dot(print.right, print.down) + right_a * down_a);
+    let half = 0.5 * (rr - dd);
+    let root = sqrt(half * half + rd * rd);
+    let long_sq = 0.5 * (rr + dd) + root;
+    let area = cross(print.right, print.down) * (density_sq * inverse);
+    let product = select(vec2(rd, root - half), vec2(half + root, rd), half >= 0.0);
+    let product_sq = dot(product, product);
+    let long_axis = select(vec2(1.0, 0.0), product * inverseSqrt(product_sq), product_sq > 0.0);
+    return Axes(
+        long_sq,
+        dot(area, area) / long_sq,
+        print.right * long_axis.x + print.down * long_axis.y,
+    );
+}
+
+// The number of taps of a row in the first level, and the step from one to the next.
+struct RowOfTaps {
+    count: f32,
+    step: vec3<f32>,
+}
+
+// The taps of a footprint whose taps are all in the first level: as `taps`.
+fn first_level_taps(print: Footprint, face_texels: f32) -> RowOfTaps {
+    let axes = axes_of(print, face_texels);
+    let length_sq = max(axes.long_sq - 1.0, 0.0);
+    let count = clamp(ceil(sqrt(length_sq) / SPACING), 1.0, MAX_TAPS);
+    let spread = sqrt(length_sq / (max(count * count - 1.0, 1.0) * axes.long_sq));
+    return RowOfTaps(count, axes.long * spread);
+}
+
 // At most `most` taps that average the cube map over a footprint, in the frame of the cube.
 fn taps(print: Footprint, face_texels: f32, most: f32) -> Taps {
     if is_magnified(print, face_texels) {
         return Taps(0.0, 1.0, vec3(0.0), 0.0);
     }
-    let size = abs(print.d);
-    var axis = select(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), size.y >= size.x);
-    axis = select(axis, vec3(0.0, 0.0, 1.0), size.z >= max(size.x, size.y));
-    let right = texels_on_face(print.right, print.d, axis, face_texels);
-    let down = texels_on_face(print.down, print.d, axis, face_texels);
-    // The axes of the footprint's ellipse are the eigenvectors of the Gram matrix of the two steps.
-    let rr = dot(right, right);
-    let dd = dot(down, down);
-    let rd = dot(right, down);
-    let half = 0.5 * (rr - dd);
-    let root = length(vec2(half, rd));
-    var long_sq = 0.5 * (rr + dd) + root;
-    let normal = cross(right, down);
-    let short_sq = dot(normal, normal) / long_sq;
-    let product = select(vec2(rd, root - half), vec2(half + root, rd), half >= 0.0);
-    let long_axis = select(vec2(1.0, 0.0), normalize(product), root > 0.0);
-    let arc = print.right * long_axis.x + print.down * long_axis.y;
-    let length_of_arc = length(arc);
+    let axes = axes_of(print, face_texels);
+    var long_sq = axes.long_sq;
+    let short_sq = axes.short_sq;
+    let length_of_arc = length(axes.long);
     // Clamp the arc to 2π.
     let round_sky = min(FULL_TURN / length_of_arc, 1.0);
     long_sq *= round_sky * round_sky;
@@ -91,7 +127,7 @@ fn taps(print: Footprint, face_texels: f32, most: f32) -> Taps {
     return Taps(
         0.5 * log2(texels_sq),
         count,
-        arc / length_of_arc,
+        axes.long / length_of_arc,
         spread * length_of_arc * round_sky,
     );
 }

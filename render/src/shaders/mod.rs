@@ -6,8 +6,10 @@
 //! (naga_oil, the library for this, renames every identifier of a module, and its releases lag behind those of
 //! naga.)
 
-use crate::filter::{MAX_TAPS, MAX_TAPS_BESIDE_EDGE, NEAR_INSIDE, NEAR_OUTSIDE, SUB_RAYS};
-use crate::footprint::{ONE_TAP_SQ, SPACING};
+use crate::filter::{
+    MAX_TAPS, MAX_TAPS_BESIDE_EDGE, NEAR_INSIDE, NEAR_OUTSIDE, STRAIGHT_EDGE, STRIPS, SUB_RAYS,
+};
+use crate::footprint::{ONE_TAP_LONG, ONE_TAP_SQ, SPACING};
 use crate::shift;
 use crate::stars::images::MIN_LIGHT;
 use crate::stars::kernel::REACHES;
@@ -180,6 +182,7 @@ fn constants() -> String {
         ("TILE", TILE),
         ("PADDING", PADDING),
         ("SUB_RAYS", SUB_RAYS),
+        ("STRIPS", STRIPS),
         ("HALOS", halos.len() as u32),
     ];
     let floats = [
@@ -189,6 +192,8 @@ fn constants() -> String {
         ("NEAR_INSIDE", NEAR_INSIDE),
         ("SPACING", SPACING),
         ("ONE_TAP_SQ", ONE_TAP_SQ),
+        ("ONE_TAP_LONG", ONE_TAP_LONG),
+        ("STRAIGHT_EDGE", STRAIGHT_EDGE),
         ("KNEE", KNEE.into()),
         ("CORE", core),
         ("MIN_LIGHT", MIN_LIGHT.into()),
