@@ -260,6 +260,7 @@ mod tests {
     #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
     fn each_tile_is_in_one_queue_of_its_region_once() {
         let view = View {
+            radius: 5.0,
             width: 203,
             height: 101,
             ..View::default()
@@ -310,22 +311,28 @@ mod tests {
                 height: width / 2,
                 ..View::default()
             };
-            // About one texel per pixel, at most 512 on a side of a face.
-            let texels = 1.2 * f64::from(width) / (0.5 * fov_deg.to_radians()).tan();
-            let texels = texels.min(512.0) as u32;
-            let sky = sky(&renderer, texels);
+            // Above one texel per pixel and below, at most 512 on a side of a face.
+            let texels = [1.2, 0.7].map(|per_pixel| {
+                let texels = per_pixel * f64::from(width) / (0.5 * fov_deg.to_radians()).tan();
+                texels.min(512.0) as u32
+            });
+            let skies = texels.map(|texels| (texels, sky(&renderer, texels)));
             let whole = Region::whole([width, width / 2]);
-            for deflection in [Deflection::Lut, Deflection::Flat] {
+            let deflections = [Deflection::Lut, Deflection::Flat];
+            let drawn = skies
+                .iter()
+                .flat_map(|sky| deflections.map(|deflection| (sky, deflection)));
+            for ((texels, sky), deflection) in drawn {
                 let camera = Camera::new(&view).unwrap();
                 let lens = Lens::new(camera, default_atlas(), deflection).unwrap();
-                let queues = classified(&renderer, &lens, &sky, &[whole]);
+                let queues = classified(&renderer, &lens, sky, &[whole]);
                 let pixels = FilteredPixels::new(&lens, Rendition::default());
                 for (class, queue) in TileClass::ALL.iter().zip(&queues) {
                     for (tile, i) in queue.iter().flat_map(|t| (0..64).map(move |i| (t, i))) {
                         let column = TILE * (tile & 0xffff) + i % TILE;
                         let row = TILE * (tile >> 16) + i / TILE;
                         if row < width / 2 {
-                            let pixel = pixels.class_of(column, row, texels.into());
+                            let pixel = pixels.class_of(column, row, (*texels).into());
                             assert!(
                                 *class >= pixel,
                                 "{view:?} {deflection:?} ({column}, {row}): {class:?} {pixel:?}"

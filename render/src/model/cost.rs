@@ -21,10 +21,10 @@ pub struct Cost {
 
 /// Operation counts of the shaders. A test compares them with the WGSL.
 mod operations {
-    pub const FLAT: u32 = 2;
-    pub const LINEAR: u32 = 82;
-    pub const HERMITE: u32 = 99;
-    pub const COEFFICIENTS: u32 = 90;
+    pub const FLAT: u32 = 8;
+    pub const LINEAR: u32 = 87;
+    pub const HERMITE: u32 = 104;
+    pub const COEFFICIENTS: u32 = 95;
     /// The map of one texel from the codes of 16-bit integers.
     pub const DECODING: u32 = 2;
     /// Direct integration without its steps.

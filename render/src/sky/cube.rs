@@ -270,9 +270,9 @@ impl Cube {
     }
 }
 
-/// Splits x ≥ −1 into its floor and its fraction. A cast is faster than `f32::floor`.
+/// Splits x ≥ −1 into its floor and its fraction. A cast is faster than `f32::floor`. Any other number gives no panic.
 pub(super) fn floor_and_fraction(x: f32) -> (i32, f32) {
-    let floor = (x + 1.0) as i32 - 1;
+    let floor = ((x + 1.0) as i32).saturating_sub(1);
     (floor, x - floor as f32)
 }
 

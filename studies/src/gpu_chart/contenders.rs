@@ -192,7 +192,11 @@ mod tests {
     fn the_formats_differ_in_bytes_and_loads() {
         let camera = Camera::new(&View::default()).unwrap();
         let lens = Lens::new(camera, default_atlas(), Deflection::Lut).unwrap();
-        let usual = Cost::of(&lens).bytes;
+        let floats = Lens {
+            row: lens.row.clone().in_format(RowFormat::Float32),
+            ..lens.clone()
+        };
+        let usual = Cost::of(&floats).bytes;
         let costs: Vec<_> = formats(&lens, true)
             .iter()
             .map(|contender| Cost::of(&contender.lens))
