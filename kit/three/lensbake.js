@@ -40,11 +40,14 @@ lensbake_ShadowEdge lensbake_shadow_edge(float r) {
     return edge;
 }
 
-// The row coordinate above the horizon: the normalised shadow coordinate x = tan(theta_c/2) / tan(theta/2) of the unit
-// direction (cos theta, sin theta) = (c, p), where c >= -1 and p >= 0. Very large at theta = 0.
+// The row coordinate above the horizon: the normalised shadow coordinate x = tan(theta_c/2) / tan(theta/2) of the direction
+// (cos theta, sin theta) = (c, p)/sqrt (c^2 + p^2), where p >= 0; the vector (c, p) need not be normalised. Very large at theta = 0.
 float lensbake_row_coordinate(float c, float p, lensbake_ShadowEdge edge) {
-    float cot_half = (c >= 0.0 ? (1.0 + c) / max(p, 1e-30) : p / (1.0 - c));
-    return edge.tan_half * cot_half;
+    float size = sqrt(c * c + p * p);
+    // cot(theta/2), without the cancellation of size - |c|.
+    float near = (c >= 0.0 ? size + c : p);
+    float far = (c >= 0.0 ? max(p, 1e-30) : size - c);
+    return edge.tan_half * (near / far);
 }
 
 // The position along the row, from d = 1 - x and sqrt x.
@@ -106,7 +109,7 @@ vec2 lensbake_cos_sin(float angle) {
     );
 }
 
-// (cos theta', sin theta') of the direction turned towards the hole by the bending Delta: theta' = theta - Delta.
+// (cos theta', sin theta') of the direction turned towards the hole by the bending Delta: theta' = theta - Delta. As long as (c, p).
 vec2 lensbake_turned(float c, float p, float bend) {
     vec2 t = lensbake_cos_sin(bend);
     return vec2(c * t.x + p * t.y, p * t.x - c * t.y);

@@ -51,11 +51,14 @@ fn lensbake_r10_shadow_edge() -> lensbake_r10_ShadowEdge {
     return edge;
 }
 
-// The row coordinate above the horizon: the normalised shadow coordinate x = tan(θ_c/2) / tan(θ/2) of the unit
-// direction (cos θ, sin θ) = (c, p), where c ≥ −1 and p ≥ 0. Very large at θ = 0.
+// The row coordinate above the horizon: the normalised shadow coordinate x = tan(θ_c/2) / tan(θ/2) of the direction
+// (cos θ, sin θ) = (c, p)/√(c² + p²), where p ≥ 0; the vector (c, p) need not be normalised. Very large at θ = 0.
 fn lensbake_r10_row_coordinate(c: f32, p: f32, edge: lensbake_r10_ShadowEdge) -> f32 {
-    let cot_half: f32 = select(p / (1.0 - c), (1.0 + c) / max(p, 1e-30), c >= 0.0);
-    return edge.tan_half * cot_half;
+    let size: f32 = sqrt(c * c + p * p);
+    // cot(θ/2), without the cancellation of size − |c|.
+    let near: f32 = select(p, size + c, c >= 0.0);
+    let far: f32 = select(size - c, max(p, 1e-30), c >= 0.0);
+    return edge.tan_half * (near / far);
 }
 
 // The position along the row, from d = 1 − x and √x.
@@ -116,7 +119,7 @@ fn lensbake_r10_cos_sin(angle: f32) -> vec2<f32> {
     );
 }
 
-// (cos θ′, sin θ′) of the direction turned towards the hole by the bending Δ: θ′ = θ − Δ.
+// (cos θ′, sin θ′) of the direction turned towards the hole by the bending Δ: θ′ = θ − Δ. As long as (c, p).
 fn lensbake_r10_turned(c: f32, p: f32, bend: f32) -> vec2<f32> {
     let t: vec2<f32> = lensbake_r10_cos_sin(bend);
     return vec2<f32>(c * t.x + p * t.y, p * t.x - c * t.y);

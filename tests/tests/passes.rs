@@ -6,7 +6,7 @@ use lensbake_core::Motion;
 use lensbake_render::camera::{Projection, View};
 use lensbake_render::diff::PictureDifference;
 use lensbake_render::gpu::{
-    FrameContent, Gpu, Pass, RealtimeRenderer, Renderer, ResidentScene, Stopwatch,
+    FrameContent, Gpu, Output, Pass, RealtimeRenderer, Renderer, ResidentScene, Stopwatch,
 };
 use lensbake_render::lens::Deflection;
 use lensbake_render::picture::Picture;
@@ -96,7 +96,7 @@ fn render_passes_draw_what_compute_passes_draw() {
     let gpu = gpu();
     let [compute, fragment] =
         [Pass::Compute, Pass::Fragment].map(|pass| Renderer::with_pass(&gpu, pass));
-    assert_eq!(fragment.pass(), Pass::Fragment);
+    assert_eq!(fragment.pass(Output::Trace), Pass::Fragment);
     let stars: Arc<StarField> = StarField::new(&hipparcos(), 0.0).into();
     for (name, scene) in scenes(&nebula()) {
         for sampling in SAMPLINGS {
@@ -112,13 +112,38 @@ fn render_passes_draw_what_compute_passes_draw() {
     }
 }
 
+/// A renderer that chooses the kind of pass, and changes it with the sampling, draws what both kinds draw.
+#[test]
+#[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
+fn the_faster_kind_of_pass_draws_the_same() {
+    let gpu = gpu();
+    let chooses = Renderer::new(&gpu);
+    let single = if gpu.is_software() {
+        Pass::Fragment
+    } else {
+        Pass::Compute
+    };
+    assert_eq!(chooses.pass(Output::Picture(Sampling::Single)), single);
+    assert_eq!(
+        chooses.pass(Output::Picture(Sampling::Filtered)),
+        Pass::Compute
+    );
+    let compute = Renderer::with_pass(&gpu, Pass::Compute);
+    let (name, scene) = scenes(&nebula()).into_iter().next().unwrap();
+    for sampling in SAMPLINGS.into_iter().chain(SAMPLINGS) {
+        let scene = scene.clone().with_sampling(sampling);
+        let what = format!("{name}, {sampling:?}, chosen");
+        assert_same(&what, &on_gpu(&compute, &scene), &on_gpu(&chooses, &scene));
+    }
+}
+
 #[test]
 #[cfg_attr(feature = "no-gpu", ignore = "feature no-gpu")]
 fn a_device_without_compute_shaders_draws_the_same() {
     let without = block_on(Gpu::open_without_compute()).unwrap();
     assert!(!without.has_compute());
     let without = Renderer::with_pass(&without, Pass::Compute);
-    assert_eq!(without.pass(), Pass::Fragment);
+    assert_eq!(without.pass(Output::Trace), Pass::Fragment);
     assert!(!without.draws_stars());
     let compute = Renderer::with_pass(&gpu(), Pass::Compute);
     let stars: Arc<StarField> = StarField::new(&hipparcos(), 0.0).into();

@@ -22,7 +22,7 @@ use lensbake_film::PathFileError;
 use lensbake_program::PrintError;
 use lensbake_program::output::{Output, OutputError};
 use lensbake_render::camera::{Camera, CameraError};
-use lensbake_render::gpu::{Gpu, GpuError, Pass, Renderer};
+use lensbake_render::gpu::{Gpu, GpuError, Renderer};
 use lensbake_render::lens::{Deflection, Lens, LensError};
 use lensbake_render::picture::PictureError;
 use lensbake_render::sky::{SkyError, SkySource};
