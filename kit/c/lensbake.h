@@ -2114,9 +2114,9 @@ static inline lensbake_ShadowEdge lensbake_shadow_edge(float r) {
 static inline float lensbake_row_coordinate(float c, float p, lensbake_ShadowEdge edge) {
     float size = sqrtf(c * c + p * p);
     // cot(theta/2), without the cancellation of size - |c|.
-    float near = (c >= 0.0f ? size + c : p);
-    float far = (c >= 0.0f ? fmaxf(p, 1e-30f) : size - c);
-    return edge.tan_half * (near / far);
+    float adjacent = (c >= 0.0f ? size + c : p);
+    float opposite = (c >= 0.0f ? fmaxf(p, 1e-30f) : size - c);
+    return edge.tan_half * (adjacent / opposite);
 }
 
 // The position along the row, from d = 1 - x and sqrt x.

@@ -44,9 +44,9 @@ lensbake_ShadowEdge lensbake_shadow_edge(float r) {
 float lensbake_row_coordinate(float c, float p, lensbake_ShadowEdge edge) {
     float size = sqrt(c * c + p * p);
     // cot(theta/2), without the cancellation of size - |c|.
-    float near = (c >= 0.0 ? size + c : p);
-    float far = (c >= 0.0 ? max(p, 1e-30) : size - c);
-    return edge.tan_half * (near / far);
+    float adjacent = (c >= 0.0 ? size + c : p);
+    float opposite = (c >= 0.0 ? max(p, 1e-30) : size - c);
+    return edge.tan_half * (adjacent / opposite);
 }
 
 // The position along the row, from d = 1 - x and sqrt x.

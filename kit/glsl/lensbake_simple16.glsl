@@ -45,9 +45,9 @@ lensbake_simple16_ShadowEdge lensbake_simple16_shadow_edge(float r) {
 float lensbake_simple16_row_coordinate(float c, float p, lensbake_simple16_ShadowEdge edge) {
     float size = sqrt(c * c + p * p);
     // cot(theta/2), without the cancellation of size - |c|.
-    float near = (c >= 0.0 ? size + c : p);
-    float far = (c >= 0.0 ? max(p, 1e-30) : size - c);
-    return edge.tan_half * (near / far);
+    float adjacent = (c >= 0.0 ? size + c : p);
+    float opposite = (c >= 0.0 ? max(p, 1e-30) : size - c);
+    return edge.tan_half * (adjacent / opposite);
 }
 
 // The position along the row, from d = 1 - x and sqrt x.

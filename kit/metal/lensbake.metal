@@ -45,9 +45,9 @@ inline lensbake_ShadowEdge lensbake_shadow_edge(float r) {
 inline float lensbake_row_coordinate(float c, float p, lensbake_ShadowEdge edge) {
     float size = metal::sqrt(c * c + p * p);
     // cot(theta/2), without the cancellation of size - |c|.
-    float near = (c >= 0.0 ? size + c : p);
-    float far = (c >= 0.0 ? metal::max(p, 1e-30) : size - c);
-    return edge.tan_half * (near / far);
+    float adjacent = (c >= 0.0 ? size + c : p);
+    float opposite = (c >= 0.0 ? metal::max(p, 1e-30) : size - c);
+    return edge.tan_half * (adjacent / opposite);
 }
 
 // The position along the row, from d = 1 - x and sqrt x.

@@ -24,15 +24,15 @@ pub struct Bending {
 /// (`c`, `p`) need not be normalised. Above the horizon it is the normalised shadow coordinate x = tan(θ_c/2) / tan(θ/2), very large at θ = 0.
 pub fn row_coordinate(c: f32, p: f32, edge: ShadowEdge, side: HorizonSide) -> f32 {
     let size = (c * c + p * p).sqrt();
-    let (near, far) = if c >= 0.0 {
+    let (adjacent, opposite) = if c >= 0.0 {
         (size + c, p)
     } else {
         (p, size - c)
     };
     match side {
-        HorizonSide::Above => edge.tan_half * (near / far.max(1e-30)),
+        HorizonSide::Above => edge.tan_half * (adjacent / opposite.max(1e-30)),
         HorizonSide::Below => {
-            let (n, m) = (edge.tan_half * near, far);
+            let (n, m) = (edge.tan_half * adjacent, opposite);
             let below = m - (edge.scale - 1.0) * n;
             if n < below { n / below } else { 2.0 }
         }

@@ -27,7 +27,7 @@ const OBSERVERS: [(HorizonSide, CameraKey, Shift); 5] = {
 };
 
 /// Checksum of all shaders without a disc.
-const WITHOUT_DISCS: u32 = 3_646_979_515;
+const WITHOUT_DISCS: u32 = 1_671_062_548;
 
 /// Keys of every kind.
 pub(in crate::gpu) fn keys() -> Vec<PipelineKey> {

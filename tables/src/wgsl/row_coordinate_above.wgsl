@@ -3,9 +3,9 @@
 fn row_coordinate(c: f32, p: f32, edge: ShadowEdge) -> f32 {
     let size: f32 = sqrt(c * c + p * p);
     // cot(θ/2), without the cancellation of size − |c|.
-    let near: f32 = select(p, size + c, c >= 0.0);
-    let far: f32 = select(size - c, max(p, 1e-30), c >= 0.0);
-    return edge.tan_half * (near / far);
+    let adjacent: f32 = select(p, size + c, c >= 0.0);
+    let opposite: f32 = select(size - c, max(p, 1e-30), c >= 0.0);
+    return edge.tan_half * (adjacent / opposite);
 }
 
 // dΔ/dθ from dΔ/dx, with dx/dθ = −x/sin θ.
