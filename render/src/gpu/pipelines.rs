@@ -7,7 +7,7 @@ use super::pass::Pass;
 use super::render_pipeline::{FullScreen, full_screen_pipeline};
 use super::source::{PipelineKey, Store};
 use super::stars::StarPrograms;
-use super::tile_queues::{TileClassifier, rows_per_invocation};
+use super::tile_queues::{TileClassifier, constants, rows_per_invocation};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use wgpu::*;
@@ -40,15 +40,16 @@ pub(super) struct ComputeProgram {
 pub(super) struct Pipelines {
     device: Device,
     pub(super) layouts: Layouts,
-    /// Overridable constants of programs that draw by tiles.
-    tile_constants: [(&'static str, f64); 1],
+    /// [`rows_per_invocation`] without stars and with them.
+    rows: [u32; 2],
     cache: Mutex<Cache>,
 }
 
 #[derive(Debug, Default)]
 struct Cache {
     programs: HashMap<PipelineKey, Arc<Program>>,
-    classifiers: HashMap<PipelineKey, Arc<TileClassifier>>,
+    /// By key, and by the rows of an invocation.
+    classifiers: HashMap<(PipelineKey, u32), Arc<TileClassifier>>,
     stars: Option<Arc<StarPrograms>>,
 }
 
@@ -56,7 +57,7 @@ impl Pipelines {
     pub(super) fn new(gpu: &Gpu) -> Self {
         Pipelines {
             layouts: Layouts::new(gpu),
-            tile_constants: rows_per_invocation(gpu),
+            rows: [false, true].map(|stars| rows_per_invocation(gpu, stars)),
             device: gpu.device.clone(),
             cache: Mutex::default(),
         }
@@ -68,17 +69,12 @@ impl Pipelines {
         if let Some(program) = cache.programs.get(&key) {
             return program.clone();
         }
+        let rows = self.rows[usize::from(key.stars)];
         let classifier = key.classifier().map(|key| {
             let (device, layouts) = (&self.device, &self.layouts);
-            let new = || {
-                Arc::new(TileClassifier::new(
-                    device,
-                    layouts,
-                    key,
-                    &self.tile_constants,
-                ))
-            };
-            cache.classifiers.entry(key).or_insert_with(new).clone()
+            let new = || Arc::new(TileClassifier::new(device, layouts, key, rows));
+            let entry = cache.classifiers.entry((key, rows));
+            entry.or_insert_with(new).clone()
         });
         let program = Arc::new(self.compile(key, classifier));
         cache.programs.insert(key, program.clone());
@@ -102,8 +98,9 @@ impl Pipelines {
         groups.extend(key.stars.then(|| &layouts.compute().star_lists));
         groups.extend(key.disc.then_some(&layouts.disc));
         let module = module(&self.device, key.name(), key.source());
+        let constants = constants(self.rows[usize::from(key.stars)]);
         let constants = match classifier {
-            Some(_) => self.tile_constants.as_slice(),
+            Some(_) => constants.as_slice(),
             None => &[],
         };
         let kind = match key.pass {

@@ -41,33 +41,27 @@ pub(super) struct PassInputs<'a> {
     pub(super) row: &'a TextureView,
 }
 
-/// The value of the overridable constant of `shaders/work_queues.wgsl`, the rows of a tile that one invocation draws. A
-/// software adapter (llvmpipe, Mesa 22.3) takes as long to start an invocation and to look up its tile as a third of a
-/// picture of one ray per pixel.
-pub(super) fn rows_per_invocation(gpu: &Gpu) -> [(&'static str, f64); 1] {
-    [(
-        "ROWS",
-        if gpu.is_software() {
-            f64::from(TILE)
-        } else {
-            1.0
-        },
-    )]
+/// The rows of a tile that one invocation draws, with stars or without. A software adapter (llvmpipe, Mesa 22.3) takes as
+/// long to start an invocation and to look up its tile as a third of a picture of one ray per pixel. But it ends the loops
+/// of an invocation after 65,535 iterations of all of them together, which one pixel's list of stars may take.
+pub(super) fn rows_per_invocation(gpu: &Gpu, stars: bool) -> u32 {
+    if gpu.is_software() && !stars { TILE } else { 1 }
+}
+
+/// The value of the overridable constant of `shaders/work_queues.wgsl`.
+pub(super) fn constants(rows: u32) -> [(&'static str, f64); 1] {
+    [("ROWS", rows.into())]
 }
 
 impl TileClassifier {
-    /// The pipelines of `key`, with these values of overridable constants.
-    pub(super) fn new(
-        device: &Device,
-        layouts: &Layouts,
-        key: PipelineKey,
-        constants: &[(&str, f64)],
-    ) -> Self {
+    /// The pipelines of `key`, for invocations that draw this many rows.
+    pub(super) fn new(device: &Device, layouts: &Layouts, key: PipelineKey, rows: u32) -> Self {
         let module = compute::module(device, "classify_tiles", key.classifier_source());
         let mut groups = vec![&layouts.compute().classify, &layouts.sky];
         groups.extend(key.disc.then_some(&layouts.disc));
         let pipeline = |entry_point| {
-            compute::specialised_pipeline(device, entry_point, &groups, &module, constants)
+            let constants = constants(rows);
+            compute::specialised_pipeline(device, entry_point, &groups, &module, &constants)
         };
         TileClassifier {
             classify: pipeline(key.classifier_entry_point()),
