@@ -58,7 +58,12 @@ fn lookups(c: &mut Criterion) {
         ratios.sort_by(|a, b| a[i].total_cmp(&b[i]));
         ratios[median][i]
     });
-    println!("time at once / one by one, median of 101 rounds: {f64:.3} in f64, {f32:.3} in f32");
+    #[expect(clippy::print_stdout, reason = "the report of a benchmark")]
+    {
+        println!(
+            "time at once / one by one, median of 101 rounds: {f64:.3} in f64, {f32:.3} in f32"
+        );
+    }
 }
 
 /// The time of 50 calls.
