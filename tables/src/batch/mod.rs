@@ -32,7 +32,7 @@ type Lanes = [f64; LANES];
 const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
 /// A row prepared for lookups of many rays in f64, made by [`Row::batch`]. The results are those of [`Row::bend`] and
-/// [`Row::bend_and_slope`] up to rounding; what they return as [`RayOutcome::Captured`] is NaN.
+/// [`Row::bend_and_slope`] up to rounding; what they return as [`RayOutcome::Captured`](lensbake_core::RayOutcome::Captured) is NaN.
 #[derive(Debug, Clone)]
 pub struct RowBatch<'a> {
     row: &'a Row,
