@@ -160,13 +160,20 @@ impl<'a> FilteredPixels<'a> {
         }
     }
 
-    /// The share of the area of pixel (column, row) that sees the sky, 0 to 1.
+    /// The share of the area of pixel (column, row) that sees the sky, 0 to 1; a disc does not matter.
     pub fn sky_share(&self, column: u32, row: u32) -> f64 {
         let at = self.lens.camera.position(column, row);
         match self.kind(&self.patch(at, 1.0)) {
             Kind::Shadow => 0.0,
             Kind::Sky => 1.0,
-            Kind::Edge => self.edge_parts(at).iter().map(|part| part.share).sum(),
+            Kind::Edge => {
+                let without_disc = FilteredPixels {
+                    disc: None,
+                    ..*self
+                };
+                let parts = without_disc.edge_parts(at);
+                parts.iter().map(|part| part.share).sum()
+            }
         }
     }
 
