@@ -43,7 +43,7 @@ pub struct RowBatch<'a> {
 }
 
 impl Row {
-    /// The bending Δ at each of the normalised shadow coordinates `at`, rad: [`Row::bend`] of many rays at a third of the
+    /// The bending Δ at each of the normalised shadow coordinates `at`, rad: [`Row::bend`] of many rays at a fraction of the
     /// cost. NaN for a captured ray.
     ///
     /// [`Row::batch`] does not allocate, and [`Row::bend_many_f32`] is faster.

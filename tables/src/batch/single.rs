@@ -39,7 +39,7 @@ impl<'a> RowBatchF32<'a> {
     /// rest of the longer slice is left alone.
     ///
     /// Only 1 − x is given, because next to the edge of the shadow it cannot be computed from x or from the view angle in
-    /// f32. Within 7e-7 rad of [`Row::bend`](crate::Row::bend) at the same 1 − x from 1e-6 above the horizon, and within 1e-6 rad
+    /// f32. Within 8e-7 rad of [`Row::bend`](crate::Row::bend) at the same 1 − x from 1e-6 above the horizon, and within 2e-6 rad
     /// down to r = 0.01; closer to the edge the bending is larger, and so is the spacing of f32.
     pub fn bend(&self, one_minus_x: &[f32], bends: &mut [f32]) {
         if self.batch.row.axis().is_residual() {
