@@ -114,7 +114,7 @@ impl Contender {
         }
     }
 
-    /// The kind of pass that it is drawn in beside others by `renderer`.
+    /// The kind of pass in which the benchmark draws it with `renderer`.
     pub fn pass(self, renderer: &Renderer) -> Pass {
         match (
             self.other_pass,

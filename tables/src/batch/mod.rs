@@ -68,7 +68,7 @@ impl Row {
         bends
     }
 
-    /// The bending Δ in f32 at each value of 1 − x, rad: NaN for a captured ray. [`RowBatchF32::bend`] says how accurate.
+    /// The bending Δ in f32 at each value of 1 − x, rad: NaN for a captured ray. [`RowBatchF32::bend`] states the error.
     ///
     /// ```
     /// use lensbake_core::Observer;
