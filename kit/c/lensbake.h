@@ -2177,7 +2177,7 @@ static inline lensbake_vec2 lensbake_cos_sin(float angle) {
     );
 }
 
-// (cos theta', sin theta') of the direction turned towards the hole by the bending Delta: theta' = theta - Delta. As long as (c, p).
+// (cos theta', sin theta') of the direction turned towards the hole by the bending Delta: theta' = theta - Delta. It has the length of (c, p).
 static inline lensbake_vec2 lensbake_turned(float c, float p, float bend) {
     lensbake_vec2 t = lensbake_cos_sin(bend);
     return lensbake_make_vec2(c * t.x + p * t.y, p * t.x - c * t.y);

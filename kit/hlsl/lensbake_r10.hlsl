@@ -122,7 +122,7 @@ float2 lensbake_r10_cos_sin(float angle) {
     );
 }
 
-// (cos theta', sin theta') of the direction turned towards the hole by the bending Delta: theta' = theta - Delta. As long as (c, p).
+// (cos theta', sin theta') of the direction turned towards the hole by the bending Delta: theta' = theta - Delta. It has the length of (c, p).
 float2 lensbake_r10_turned(float c, float p, float bend) {
     float2 t = lensbake_r10_cos_sin(bend);
     return float2(c * t.x + p * t.y, p * t.x - c * t.y);

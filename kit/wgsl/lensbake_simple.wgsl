@@ -91,7 +91,7 @@ fn lensbake_simple_cos_sin(angle: f32) -> vec2<f32> {
     );
 }
 
-// (cos θ′, sin θ′) of the direction turned towards the hole by the bending Δ: θ′ = θ − Δ. As long as (c, p).
+// (cos θ′, sin θ′) of the direction turned towards the hole by the bending Δ: θ′ = θ − Δ. It has the length of (c, p).
 fn lensbake_simple_turned(c: f32, p: f32, bend: f32) -> vec2<f32> {
     let t: vec2<f32> = lensbake_simple_cos_sin(bend);
     return vec2<f32>(c * t.x + p * t.y, p * t.x - c * t.y);

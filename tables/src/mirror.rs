@@ -160,7 +160,7 @@ pub fn angle(c: f32, p: f32) -> f32 {
     if c < 0.0 { PI - first } else { first }
 }
 
-/// (cos θ′, sin θ′) of the direction turned towards the hole by the bending Δ: θ′ = θ − Δ. As long as (`c`, `p`).
+/// (cos θ′, sin θ′) of the direction turned towards the hole by the bending Δ: θ′ = θ − Δ. It has the length of (`c`, `p`).
 pub fn turned(c: f32, p: f32, bend: f32) -> [f32; 2] {
     let [cos, sin] = cos_sin(bend);
     [c * cos + p * sin, p * cos - c * sin]

@@ -27,7 +27,7 @@ const OBSERVERS: [(HorizonSide, CameraKey, Shift); 5] = {
 };
 
 /// Checksum of all shaders without a disc.
-const WITHOUT_DISCS: u32 = 1_671_062_548;
+const WITHOUT_DISCS: u32 = 3_615_886_205;
 
 /// Keys of every kind.
 pub(in crate::gpu) fn keys() -> Vec<PipelineKey> {

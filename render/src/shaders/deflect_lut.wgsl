@@ -7,7 +7,7 @@ fn shadow_edge() -> ShadowEdge {
     return ShadowEdge(camera.tan_half_shadow, camera.log_weight, camera.away_slope, camera.edge_scale);
 }
 
-// For one ray, whose vector (c, p) need not be normalised: as long is (cos_sky, sin_sky). The slope needs a unit vector.
+// For one ray, whose vector (c, p) need not be normalised: (cos_sky, sin_sky) has its length. The slope needs a unit vector.
 fn deflect_lut(c: f32, p: f32) -> Deflected {
     return deflected_by(c, p, bending(c, p, shadow_edge()));
 }

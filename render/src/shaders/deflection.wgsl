@@ -6,7 +6,7 @@ const UNFINISHED: u32 = 2u;
 
 struct Deflected {
     outcome: u32,
-    // cos and sin of the sky angle from the direction of the hole, times the length of the view vector or not.
+    // cos and sin of the sky angle from the direction of the hole, multiplied by the length of the view vector where the deflection method keeps it.
     cos_sky: f32,
     sin_sky: f32,
     // dΔ/dθ.
@@ -14,7 +14,7 @@ struct Deflected {
 }
 
 // The direction d after deflection: turned in its plane through the hole. p is the distance of d from the axis, sin θ of
-// a unit vector. As long as (cos_sky, sin_sky).
+// a unit vector. It has the length of (cos_sky, sin_sky).
 fn turn_direction(d: vec3<f32>, p: f32, deflected: Deflected) -> vec3<f32> {
     let scale = deflected.sin_sky / max(p, 1e-30);
     return vec3(d.xy * scale, -deflected.cos_sky);
