@@ -1,3 +1,4 @@
 //! The window of the `viewer` program.
 
+#[cfg(feature = "window")]
 pub mod window;

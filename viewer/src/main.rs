@@ -15,7 +15,10 @@ fn main() -> ExitCode {
         Err(line) => return Outcome::end(PROGRAM, Err(line)),
     };
     let outcome = match cli.command {
+        #[cfg(feature = "window")]
         None => commands::window::run(&cli.window),
+        #[cfg(not(feature = "window"))]
+        None => commands::without_window::run(&cli.window, "this program was built without one"),
         Some(Command::Render(args)) => commands::render::run(&args),
         Some(Command::Film(args)) => commands::film::run(&args),
         Some(Command::Chart(args)) => commands::chart::run(&args),

@@ -11,7 +11,9 @@ mod metadata;
 mod opening;
 pub mod reference;
 pub mod render;
+#[cfg(feature = "window")]
 pub mod window;
+pub mod without_window;
 
 use crate::cli::{
     DiscArgsError, DrawingArgs, LayerNeedsDisc, LightArgs, PassName, SamplingName, StarArgs,
@@ -37,6 +39,7 @@ use opening::{gpu, gpu_for};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
+#[cfg(feature = "window")]
 use viewer::window::WindowError;
 
 /// Why a command failed.
@@ -93,6 +96,7 @@ pub enum CommandError {
     #[error(transparent)]
     Film(#[from] film::FilmError),
     /// The window failed.
+    #[cfg(feature = "window")]
     #[error(transparent)]
     Window(#[from] WindowError),
     /// The benchmark failed.

@@ -1,12 +1,9 @@
 //! `viewer` without a command: opens the window, or draws the picture that it would show if no window can be
 //! opened.
 
-use super::{CommandError, render, stars_of, table};
-use crate::cli::{
-    DeviceName, DrawingArgs, Exposure, MethodName, PICTURE, ProjectionArgs, RenderArgs,
-    SamplingName, SceneArgs, StarArgs, WindowArgs,
-};
-use lensbake_program::{Outcome, message};
+use super::{CommandError, stars_of, table, without_window};
+use crate::cli::{StarArgs, WindowArgs};
+use lensbake_program::Outcome;
 use lensbake_render::camera::{Camera, Projection};
 use lensbake_render::lens::Deflection;
 use lensbake_render::stars::{self, StarField, StarSource};
@@ -55,38 +52,7 @@ pub fn run(args: &WindowArgs) -> Result<Outcome, CommandError> {
         pass: args.pass.map(Into::into),
     });
     match ended {
-        Err(error) if error.is_no_window() => {
-            message!(
-                "viewer: no window can be opened here ({error}); drawing to {PICTURE} instead"
-            );
-            render::run(&instead(args))
-        }
+        Err(error) if error.is_no_window() => without_window::run(args, &error.to_string()),
         ended => Ok(ended.map(|()| Outcome::Done)?),
-    }
-}
-
-/// Options of `render` for the picture that the window would show first.
-fn instead(args: &WindowArgs) -> RenderArgs {
-    RenderArgs {
-        output: PICTURE.into(),
-        budget_px: None,
-        explain: false,
-        aov: Vec::new(),
-        like: None,
-        recorded: None,
-        drawing: DrawingArgs {
-            method: MethodName::Lut,
-            sampling: SamplingName::Filtered,
-            pass: args.pass,
-            exposure: Exposure::Stops(0.0),
-            projection: ProjectionArgs::default(),
-        },
-        scene: SceneArgs {
-            size: Some(args.size),
-            device: DeviceName::Auto,
-            view: args.view.clone(),
-        },
-        stars: args.stars.clone(),
-        disc: args.disc.clone(),
     }
 }
