@@ -13,7 +13,7 @@ use super::pass::Pass;
 use super::pipelines::{Pipelines, Program, ProgramKind};
 use super::renderer::Renderer;
 use super::row_texture::RowTexture;
-use super::stars::{StarLight, StarLists, StarsOnDevice};
+use super::stars::{Group, StarLight, StarLists, StarsOnDevice};
 use super::target::Target;
 use super::tile_queues::{self, PassInputs};
 use super::timestamps::PassTimestamps;
@@ -42,6 +42,8 @@ pub(super) struct FrameResources {
     uploaded_regions: Vec<RegionBlock>,
     region_stride: u64,
     drawing: Drawing,
+    /// The pixels that share a list of stars.
+    group: Group,
     stars: Option<StarLists>,
     disc: Option<DiscOnDevice>,
 }
@@ -91,6 +93,7 @@ impl FrameResources {
             uploaded_regions: Vec::new(),
             region_stride,
             drawing,
+            group: Group::Rows,
             stars: None,
             disc: None,
         }
@@ -127,6 +130,7 @@ impl FrameResources {
         self.regions.clear();
         self.regions.extend(regions);
         self.make_room(lens.row.shape(), sampling, pass);
+        self.group = self.pipelines.group(pass, sampling);
         let queue = &self.gpu.queue;
         let camera = CameraBlock::new(&lens.camera, Shadow::of(lens), rendition.light_scale);
         queue.write_buffer(&self.camera, 0, bytemuck::bytes_of(&camera));
@@ -152,13 +156,14 @@ impl FrameResources {
         self.row.show(queue, &lens.row);
     }
 
-    /// Sets the stars that the next dispatches draw through `lens`. Their lists are created anew only for other
-    /// stars.
+    /// Sets the stars that the next dispatches draw through `lens`, after [`FrameResources::show`]. Their lists are created
+    /// anew only for other stars, or if other pixels share one.
     pub(super) fn show_stars(&mut self, lens: &Lens, stars: &StarsOnDevice, rendition: Rendition) {
-        if self.stars.as_ref().is_none_or(|lists| !lists.are_of(stars)) {
+        let is_shown = |lists: &StarLists| lists.are_of(stars, self.group);
+        if !self.stars.as_ref().is_some_and(is_shown) {
             let size = [lens.camera.width, lens.camera.height];
             let size = self.target.room().unwrap_or(size);
-            let programs = self.pipelines.stars();
+            let programs = self.pipelines.stars(self.group);
             let layouts = &self.pipelines.layouts;
             self.stars = Some(StarLists::new(&self.gpu, layouts, programs, stars, size));
         }

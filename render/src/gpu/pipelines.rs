@@ -6,8 +6,10 @@ use super::layouts::{BAND_FORMAT, Layouts, TEXTURE_FORMAT};
 use super::pass::Pass;
 use super::render_pipeline::{FullScreen, full_screen_pipeline};
 use super::source::{PipelineKey, Store};
-use super::stars::StarPrograms;
+use super::stars::{Group, StarPrograms};
 use super::tile_queues::{TileClassifier, constants, rows_per_invocation};
+use crate::filter::TileClass;
+use crate::scene::Sampling;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use wgpu::*;
@@ -40,8 +42,7 @@ pub(super) struct ComputeProgram {
 pub(super) struct Pipelines {
     device: Device,
     pub(super) layouts: Layouts,
-    /// [`rows_per_invocation`] without stars and with them.
-    rows: [u32; 2],
+    on_software: bool,
     cache: Mutex<Cache>,
 }
 
@@ -50,14 +51,14 @@ struct Cache {
     programs: HashMap<PipelineKey, Arc<Program>>,
     /// By key, and by the rows of an invocation.
     classifiers: HashMap<(PipelineKey, u32), Arc<TileClassifier>>,
-    stars: Option<Arc<StarPrograms>>,
+    stars: HashMap<Group, Arc<StarPrograms>>,
 }
 
 impl Pipelines {
     pub(super) fn new(gpu: &Gpu) -> Self {
         Pipelines {
             layouts: Layouts::new(gpu),
-            rows: [false, true].map(|stars| rows_per_invocation(gpu, stars)),
+            on_software: gpu.is_software(),
             device: gpu.device.clone(),
             cache: Mutex::default(),
         }
@@ -65,30 +66,49 @@ impl Pipelines {
 
     /// The program of `key`. Compiles it the first time.
     pub(super) fn program(&self, key: PipelineKey) -> Arc<Program> {
+        let key = if key.stars {
+            key.with_group(self.group(key.pass, key.sampling()))
+        } else {
+            key
+        };
         let mut cache = self.cache.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(program) = cache.programs.get(&key) {
             return program.clone();
         }
-        let rows = self.rows[usize::from(key.stars)];
+        let rows = rows_per_invocation(self.on_software, key.integrates());
         let classifier = key.classifier().map(|key| {
             let (device, layouts) = (&self.device, &self.layouts);
             let new = || Arc::new(TileClassifier::new(device, layouts, key, rows));
             let entry = cache.classifiers.entry((key, rows));
             entry.or_insert_with(new).clone()
         });
-        let program = Arc::new(self.compile(key, classifier));
+        let program = Arc::new(self.compile(key, classifier, rows));
         cache.programs.insert(key, program.clone());
         program
     }
 
-    /// The programs that make the star lists. Compiles them the first time.
-    pub(super) fn stars(&self) -> Arc<StarPrograms> {
-        let mut cache = self.cache.lock().unwrap_or_else(PoisonError::into_inner);
-        let new = || Arc::new(StarPrograms::new(&self.device));
-        cache.stars.get_or_insert_with(new).clone()
+    /// The pixels that share a list of stars in such pictures: a tile, where an invocation draws a column of one.
+    pub(super) fn group(&self, pass: Pass, sampling: Sampling) -> Group {
+        if self.on_software && pass == Pass::Compute && sampling.averages() {
+            Group::Tile
+        } else {
+            Group::Rows
+        }
     }
 
-    fn compile(&self, key: PipelineKey, classifier: Option<Arc<TileClassifier>>) -> Program {
+    /// The programs that make the star lists of such groups. Compiles them the first time.
+    pub(super) fn stars(&self, group: Group) -> Arc<StarPrograms> {
+        let mut cache = self.cache.lock().unwrap_or_else(PoisonError::into_inner);
+        let new = || Arc::new(StarPrograms::new(&self.device, group));
+        cache.stars.entry(group).or_insert_with(new).clone()
+    }
+
+    fn compile(
+        &self,
+        key: PipelineKey,
+        classifier: Option<Arc<TileClassifier>>,
+        rows: u32,
+    ) -> Program {
         let layouts = &self.layouts;
         let mut groups = vec![match key.pass {
             Pass::Compute => layouts.compute().draw(key.store),
@@ -98,20 +118,18 @@ impl Pipelines {
         groups.extend(key.stars.then(|| &layouts.compute().star_lists));
         groups.extend(key.disc.then_some(&layouts.disc));
         let module = module(&self.device, key.name(), key.source());
-        let constants = constants(self.rows[usize::from(key.stars)]);
-        let constants = match classifier {
-            Some(_) => constants.as_slice(),
-            None => &[],
+        let compute = |constants: &[_]| {
+            let entry_point = key.entry_points()[0];
+            specialised_pipeline(&self.device, entry_point, &groups, &module, constants)
         };
         let kind = match key.pass {
             Pass::Compute => ProgramKind::Compute(ComputeProgram {
-                pipelines: key
-                    .entry_points()
-                    .iter()
-                    .map(|entry_point| {
-                        specialised_pipeline(&self.device, entry_point, &groups, &module, constants)
-                    })
-                    .collect(),
+                pipelines: match classifier {
+                    Some(_) => TileClass::ALL
+                        .map(|class| compute(&constants(rows, class)))
+                        .into(),
+                    None => vec![compute(&[])],
+                },
                 classifier,
             }),
             Pass::Fragment => ProgramKind::Fragment(full_screen_pipeline(

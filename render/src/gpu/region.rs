@@ -1,6 +1,7 @@
 //! Rectangles of pixels that one dispatch draws.
 
 use crate::lens::Deflection;
+use crate::shaders::TILE;
 use std::f64::consts::PI;
 
 /// Largest number of integration steps in a dispatch of direct integration: a fraction of a second on a small GPU.
@@ -25,10 +26,13 @@ impl Region {
         }
     }
 
-    /// Divides the region into bands of whole rows, each with at most `pixels` pixels but at least one row.
+    /// Divides the region into bands of whole rows, each with at most `pixels` pixels but at least one row. Bands of at least
+    /// [`TILE`] rows begin where a tile of the region does.
     pub fn bands(self, pixels: u32) -> impl Iterator<Item = Region> {
         let ([column, row], [width, height]) = (self.first, self.count);
-        let rows = (pixels / width.max(1)).clamp(1, height.max(1));
+        let most = (pixels / width.max(1)).max(1);
+        let of_tiles = most - most % TILE;
+        let rows = if of_tiles > 0 { of_tiles } else { most };
         (0..height).step_by(rows as usize).map(move |y| Region {
             first: [column, row + y],
             count: [width, rows.min(height - y)],
@@ -51,7 +55,13 @@ mod tests {
 
     #[test]
     fn bands_cover_a_region_once_from_the_top_down() {
-        for (width, height, pixels) in [(7, 10, 21), (7, 11, 21), (7, 10, 1), (7, 10, 1000)] {
+        for (width, height, pixels) in [
+            (7, 10, 21),
+            (7, 11, 21),
+            (7, 10, 1),
+            (7, 10, 1000),
+            (7, 50, 150),
+        ] {
             let region = Region {
                 first: [3, 5],
                 count: [width, height],
@@ -60,6 +70,7 @@ mod tests {
             for band in region.bands(pixels) {
                 assert_eq!((band.first, band.count[0]), ([3, next], width));
                 assert!(band.count[1] == 1 || width * band.count[1] <= pixels);
+                assert!(pixels < width * TILE || (band.first[1] - 5) % TILE == 0);
                 next += band.count[1];
             }
             assert_eq!(next, 5 + height);

@@ -107,9 +107,9 @@ impl Renderer {
         disc: Option<&Disc>,
     ) {
         let stars = stars && self.draws_stars_through(lens);
-        self.program(picture_key(lens, sampling, stars, shift, disc));
+        let program = self.program(picture_key(lens, sampling, stars, shift, disc));
         if stars {
-            self.pipelines.stars();
+            self.pipelines.stars(program.key.group);
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::camera_key::CameraKey;
 use super::pass::Pass;
-use super::stars;
+use super::stars::Group;
 use crate::disc::Disc;
 use crate::lens::{Deflection, Lens};
 use crate::scene::Sampling;
@@ -74,6 +74,8 @@ pub struct PipelineKey {
     pub row: RowShape,
     /// Whether it draws stars in front of the sky.
     pub stars: bool,
+    /// The pixels that share a list of stars.
+    pub(super) group: Group,
     /// The camera's motion and the projection.
     camera: CameraKey,
     /// What of the frequency shift is shown.
@@ -116,6 +118,7 @@ impl PipelineKey {
             store,
             row,
             stars: stars && matches!(output, Output::Picture(_)),
+            group: Group::Rows,
             // Only direct integration starts differently for a radial motion; for the table it is in the row.
             camera: if integrates {
                 camera
@@ -152,6 +155,16 @@ impl PipelineKey {
         PipelineKey::new(lens.deflection, output, store, row, stars, camera, shift)
     }
 
+    /// The same key for lists of stars on such groups.
+    pub(super) fn with_group(self, group: Group) -> Self {
+        PipelineKey { group, ..self }
+    }
+
+    /// Whether it draws by direct integration.
+    pub(super) fn integrates(self) -> bool {
+        matches!(self.deflection, DeflectionKey::Direct { .. })
+    }
+
     /// The same key in another kind of pass.
     pub fn in_pass(self, pass: Pass) -> Self {
         PipelineKey { pass, ..self }
@@ -170,6 +183,7 @@ impl PipelineKey {
             },
             store: Store::Buffer,
             stars: false,
+            group: Group::Rows,
             camera: self.camera.without_radial_motion(),
             shift: Shift::Off,
             pattern: false,
@@ -201,16 +215,11 @@ impl PipelineKey {
         self.output != Output::Trace
     }
 
-    /// The entry points. Of a compute pass: one, or one for each [`crate::filter::TileClass`]. Of a render pass: that of
-    /// the fragments and that of the vertices.
+    /// The entry points. Of a compute pass: one, and if it draws by tiles, the overridable constant `CLASS` makes it a
+    /// program for each [`crate::filter::TileClass`]. Of a render pass: that of the fragments and that of the vertices.
     pub fn entry_points(self) -> &'static [&'static str] {
         match self.pass {
-            Pass::Compute if self.averages() && self.disc => {
-                &["shadow", "one_tap", "first_level", "one_ray", "disc_rays"]
-            }
-            Pass::Compute if self.averages() => {
-                &["shadow", "one_tap", "first_level", "one_ray", "many_rays"]
-            }
+            Pass::Compute if self.averages() => &["draw_tiles"],
             Pass::Compute => &["draw"],
             Pass::Fragment => &["draw", "corner"],
         }
@@ -264,9 +273,17 @@ impl PipelineKey {
                 Output::Difference => "difference",
             }),
         );
-        stars::define(&mut modules);
+        self.group.define(&mut modules);
+        let (star_light, column) = match self.group {
+            Group::Rows => ("star_light_of_pixel", "no_column"),
+            Group::Tile => ("star_light_of_column", "star_light_of_column"),
+        };
+        modules.define("star_light", alias_module(star_light));
+        modules.define(
+            "column",
+            alias_module(if self.stars { column } else { "no_column" }),
+        );
         modules.assemble(&[match self.pass {
-            Pass::Compute if self.averages() && self.disc => "compute_disc",
             Pass::Compute if self.averages() => "compute_tiles",
             Pass::Compute => "compute",
             Pass::Fragment => "fragment",

@@ -6,7 +6,7 @@ use super::camera_block::RegionBlock;
 use super::compute;
 use super::layouts::{ComputeLayouts, Layouts};
 use super::source::PipelineKey;
-use super::{Gpu, Region};
+use super::Region;
 use crate::filter::TileClass;
 use crate::shaders::{PADDING, TILE};
 use wgpu::*;
@@ -41,16 +41,16 @@ pub(super) struct PassInputs<'a> {
     pub(super) row: &'a TextureView,
 }
 
-/// The rows of a tile that one invocation draws, with stars or without. A software adapter (llvmpipe, Mesa 22.3) takes as
-/// long to start an invocation and to look up its tile as a third of a picture of one ray per pixel. But it ends the loops
-/// of an invocation after 65,535 iterations of all of them together, which one pixel's list of stars may take.
-pub(super) fn rows_per_invocation(gpu: &Gpu, stars: bool) -> u32 {
-    if gpu.is_software() && !stars { TILE } else { 1 }
+/// The rows of a tile that one invocation draws. A software adapter (llvmpipe, Mesa 22.3) takes as long to start an
+/// invocation and to look up its tile as a third of a picture of one ray per pixel. But it ends the loops of an invocation
+/// after 65,535 iterations of all of them together, which direct integration of a few pixels may take.
+pub(super) fn rows_per_invocation(on_software: bool, integrates: bool) -> u32 {
+    if on_software && !integrates { TILE } else { 1 }
 }
 
-/// The value of the overridable constant of `shaders/work_queues.wgsl`.
-pub(super) fn constants(rows: u32) -> [(&'static str, f64); 1] {
-    [("ROWS", rows.into())]
+/// The values of the overridable constants of `shaders/work_queues.wgsl` and `shaders/compute_tiles.wgsl`.
+pub(super) fn constants(rows: u32, class: TileClass) -> [(&'static str, f64); 2] {
+    [("ROWS", rows.into()), ("CLASS", f64::from(class as u32))]
 }
 
 impl TileClassifier {
@@ -60,7 +60,7 @@ impl TileClassifier {
         let mut groups = vec![&layouts.compute().classify, &layouts.sky];
         groups.extend(key.disc.then_some(&layouts.disc));
         let pipeline = |entry_point| {
-            let constants = constants(rows);
+            let constants = [("ROWS", rows.into())];
             compute::specialised_pipeline(device, entry_point, &groups, &module, &constants)
         };
         TileClassifier {
@@ -184,7 +184,7 @@ mod tests {
     use crate::gpu::frame_resources::FrameResources;
     use crate::gpu::source::{Output, Store};
     use crate::gpu::target::Target;
-    use crate::gpu::{Renderer, SkyOnDevice};
+    use crate::gpu::{Gpu, Renderer, SkyOnDevice};
     use crate::lens::{Deflection, Lens};
     use crate::scene::Sampling;
     use crate::shift::{Rendition, Shift};

@@ -14,6 +14,13 @@ fn spline(offset: vec2<f32>) -> vec2<f32> {
     return select(0.5 * outer * outer, 0.75 - x * x, x < vec2(0.5));
 }
 
+// The same for four coordinates.
+fn splines(offset: vec4<f32>) -> vec4<f32> {
+    let x = abs(offset);
+    let outer = max(CORE - x, vec4(0.0));
+    return select(0.5 * outer * outer, 0.75 - x * x, x < vec4(0.5));
+}
+
 // 1/R² of a halo.
 fn inverse_square(kernel: u32) -> f32 {
     return bitcast<f32>((125u - 2u * kernel) << 23u);
@@ -35,6 +42,14 @@ fn kernel_share(offset: vec2<f32>, kernel: u32) -> f32 {
     let inside = max(1.0 - dot(offset, offset) * inverse_square(kernel), 0.0);
     let cube = inside * inside * inside;
     return select(cube * cube, core.x * core.y, kernel == 0u);
+}
+
+// kernel_share for four pixels below each other, whose vertical offsets are `down`.
+fn kernel_shares(right: f32, down: vec4<f32>, kernel: u32) -> vec4<f32> {
+    let core = spline(vec2(right)).x * splines(down);
+    let inside = max(1.0 - (right * right + down * down) * inverse_square(kernel), vec4(0.0));
+    let cube = inside * inside * inside;
+    return select(cube * cube, core, vec4(kernel == 0u));
 }
 
 // The light, in the brightest channel, that a kernel takes before the next kernel takes any.

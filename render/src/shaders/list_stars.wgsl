@@ -1,4 +1,4 @@
-// Inserts the light of the stars into linked lists, which star_light.wgsl sums up: one invocation for each image
+// Inserts the light of the stars into linked lists, which the picture sums up: one invocation for each image
 // of a star, then one for each piece of an arc. stars/draw.rs is the reference in f64.
 // #import arithmetic
 // #import camera

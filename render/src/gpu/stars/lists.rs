@@ -3,7 +3,7 @@
 
 use super::StarsOnDevice;
 use super::data::{InverseLensBlock, Piece};
-use super::nodes;
+use super::nodes::{self, Group};
 use super::programs::{ListKey, StarPrograms, WORKGROUP};
 use super::report::{Reports, StarLight};
 use crate::gpu::bindings::bind_group;
@@ -64,6 +64,7 @@ impl StarLists {
         size: [u32; 2],
     ) -> Self {
         let device = &gpu.device;
+        let group = programs.group;
         let buffer = |label, size, usage| {
             device.create_buffer(&BufferDescriptor {
                 label: Some(label),
@@ -79,7 +80,7 @@ impl StarLists {
         let pieces = storage("pieces of arcs", (PIECES * size_of::<Piece>()) as u64);
         let candidates = storage("candidates", 4 * CANDIDATES as u64);
         let usage = BufferUsages::STORAGE | BufferUsages::COPY_SRC;
-        let list_heads = buffer("list heads", nodes::list_heads_bytes(size), usage);
+        let list_heads = buffer("list heads", group.list_heads_bytes(size), usage);
         let nodes = nodes::node_texture(device).create_view(&Default::default());
         let whole = Buffer::as_entire_binding;
         let listing = [
@@ -108,7 +109,7 @@ impl StarLists {
                 &layouts.compute().star_lists,
                 reading,
             ),
-            reports: Reports::new(device),
+            reports: Reports::new(device, group),
             queue: gpu.queue.clone(),
             stars: stars.clone(),
             programs,
@@ -125,9 +126,9 @@ impl StarLists {
         }
     }
 
-    /// Whether these are the lists of `stars`.
-    pub(in crate::gpu) fn are_of(&self, stars: &StarsOnDevice) -> bool {
-        self.stars == *stars
+    /// Whether these are the lists of `stars` on such groups.
+    pub(in crate::gpu) fn are_of(&self, stars: &StarsOnDevice, group: Group) -> bool {
+        self.stars == *stars && self.programs.group == group
     }
 
     /// Sets what the next lists contain: the stars as seen through `lens`. The inverse row is computed again only
@@ -173,7 +174,7 @@ impl StarLists {
     pub(in crate::gpu) fn make(&self, pass: &mut ComputePass) {
         let programs = &self.programs;
         let listed = self.invocations.div_ceil(WORKGROUP);
-        let summed = nodes::SUM_INVOCATIONS / WORKGROUP;
+        let summed = programs.group.sum_invocations() / WORKGROUP;
         for (shader, group, workgroups) in [
             (&*self.list, &self.listing, listed),
             (&programs.sum_overflows, &self.summing, summed),
@@ -213,7 +214,7 @@ impl StarLists {
     /// [`GpuError::TooManyStars`] if they did not, [`GpuError::Failed`] if the device fails.
     pub(in crate::gpu) async fn check(&self, gpu: &Gpu) -> Result<(), GpuError> {
         let requested: Vec<u32> = gpu.copy_back(&self.list_heads, 4).await?;
-        match StarLight::of(requested[0], self.full) {
+        match StarLight::of(requested[0], self.programs.group, self.full) {
             StarLight::Whole => Ok(()),
             StarLight::PartLost => Err(GpuError::TooManyStars),
         }

@@ -12,7 +12,7 @@ mod programs;
 mod report;
 
 pub(super) use lists::StarLists;
-pub(super) use nodes::define;
+pub(super) use nodes::Group;
 pub(super) use programs::StarPrograms;
 pub use report::StarLight;
 

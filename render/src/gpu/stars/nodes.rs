@@ -1,63 +1,96 @@
-//! Sizes of the star lists, which are linked lists, and of the texture that holds their nodes.
+//! Sizes of the star lists, which are linked lists, the pixels that share one, and of the texture that holds their nodes.
 //! `shaders/star_node.wgsl` and `shaders/star_list_heads.wgsl` describe both.
 
 use crate::gpu::texture::texture;
-use crate::shaders::Modules;
+use crate::shaders::{Modules, TILE};
 use wgpu::*;
 
-/// Width and height of a group of pixels that share a list.
-const GROUP: [u32; 2] = [8, 2];
+/// The pixels that share a list. `shaders/star_node.wgsl` calls them a group.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(in crate::gpu) enum Group {
+    /// 8 × 2 pixels, each of which sums up the list for itself.
+    Rows,
+    /// A tile, each of whose columns sums up the list for its 8 pixels.
+    Tile,
+}
+
 /// Width and height of the texture that holds the nodes of all lists, 32 MiB. Node 0 is null.
 const TEXELS: [u32; 2] = [2048, 1024];
 /// Number of nodes.
 const NODES: u32 = TEXELS[0] * TEXELS[1];
-/// Number of nodes, the first of a picture, that are not counted list by list: counting takes time in every frame.
-const UNCOUNTED: u32 = 1 << 15;
 /// Largest number of nodes of an overflow list, and of counted nodes in the list of a group.
 const LIST: u32 = 1 << 13;
 /// Binary logarithm of the number of overflow lists.
 const OVERFLOW_BITS: u32 = 9;
 /// Number of overflow lists, for the nodes that do not fit into the groups' own lists.
 const OVERFLOWS: u32 = 1 << OVERFLOW_BITS;
-/// Number of nodes, the last ones, that are reserved for the sums of the overflow lists: one for each pixel of
-/// each list.
-const SUMS: u32 = OVERFLOWS * GROUP[0] * GROUP[1];
-/// Number of the other nodes, which hold star images.
-const CAPACITY: u32 = NODES - SUMS;
-/// Invocations that sum up the overflow lists: each sums up one pixel of four lists, one after the other.
-pub(super) const SUM_INVOCATIONS: u32 = SUMS / 4;
 /// Texture format of a node.
 pub(super) const FORMAT: TextureFormat = TextureFormat::Rgba32Uint;
 
-/// Defines the module `star_node_constants`.
-pub(in crate::gpu) fn define(modules: &mut Modules) {
-    let constants = [
-        ("GROUP_WIDTH", GROUP[0]),
-        ("GROUP_HEIGHT", GROUP[1]),
-        ("NODES_PER_ROW", TEXELS[0]),
-        ("CAPACITY", CAPACITY),
-        ("UNCOUNTED", UNCOUNTED),
-        ("LIST", LIST),
-        ("OVERFLOW_BITS", OVERFLOW_BITS),
-        ("OVERFLOWS", OVERFLOWS),
-        // One more than the number of overflow lists that a group can have.
-        ("OVERFLOWS_PER_GROUP", CAPACITY / LIST),
-    ];
-    let text = constants.map(|(name, value)| format!("const {name}: u32 = {value}u;\n"));
-    modules.define("star_node_constants", text.concat());
-}
+impl Group {
+    /// Width and height, pixels.
+    const fn size(self) -> [u32; 2] {
+        match self {
+            Group::Rows => [TILE, 2],
+            Group::Tile => [TILE, TILE],
+        }
+    }
 
-/// Bytes of the list heads of a picture of `width` × `height` pixels: see `shaders/star_list_heads.wgsl`.
-pub(super) fn list_heads_bytes([width, height]: [u32; 2]) -> u64 {
-    let [x, y] = GROUP;
-    let overflows = u64::from(OVERFLOWS * (2 + 3 * x * y));
-    let groups = u64::from(width.div_ceil(x)) * u64::from(height.div_ceil(y));
-    4 * (1 + overflows + groups + groups.div_ceil(2))
-}
+    /// Number of nodes, the first of a picture, that are not counted list by list: counting takes time in every frame.
+    const fn uncounted(self) -> u32 {
+        match self {
+            Group::Rows => 1 << 15,
+            Group::Tile => 1 << 14,
+        }
+    }
 
-/// Whether there are enough nodes if `requested` were requested.
-pub(super) fn fits(requested: u32) -> bool {
-    requested < CAPACITY
+    /// Number of nodes, the last ones, that are reserved for the sums of the overflow lists: one for each pixel of
+    /// each list.
+    const fn sums(self) -> u32 {
+        OVERFLOWS * self.size()[0] * self.size()[1]
+    }
+
+    /// Number of the other nodes, which hold star images.
+    const fn capacity(self) -> u32 {
+        NODES - self.sums()
+    }
+
+    /// Invocations that sum up the overflow lists: each sums up one pixel of four lists, one after the other.
+    pub(super) fn sum_invocations(self) -> u32 {
+        self.sums() / 4
+    }
+
+    /// Whether there are enough nodes if `requested` were requested.
+    pub(super) fn fits(self, requested: u32) -> bool {
+        requested < self.capacity()
+    }
+
+    /// Defines the module `star_node_constants`.
+    pub(in crate::gpu) fn define(self, modules: &mut Modules) {
+        let [width, height] = self.size();
+        let constants = [
+            ("GROUP_WIDTH", width),
+            ("GROUP_HEIGHT", height),
+            ("NODES_PER_ROW", TEXELS[0]),
+            ("CAPACITY", self.capacity()),
+            ("UNCOUNTED", self.uncounted()),
+            ("LIST", LIST),
+            ("OVERFLOW_BITS", OVERFLOW_BITS),
+            ("OVERFLOWS", OVERFLOWS),
+            // One more than the number of overflow lists that a group can have.
+            ("OVERFLOWS_PER_GROUP", self.capacity() / LIST),
+        ];
+        let text = constants.map(|(name, value)| format!("const {name}: u32 = {value}u;\n"));
+        modules.define("star_node_constants", text.concat());
+    }
+
+    /// Bytes of the list heads of a picture of `width` × `height` pixels: see `shaders/star_list_heads.wgsl`.
+    pub(super) fn list_heads_bytes(self, [width, height]: [u32; 2]) -> u64 {
+        let [x, y] = self.size();
+        let overflows = u64::from(OVERFLOWS * (2 + 3 * x * y));
+        let groups = u64::from(width.div_ceil(x)) * u64::from(height.div_ceil(y));
+        4 * (1 + overflows + groups + groups.div_ceil(2))
+    }
 }
 
 /// Creates the texture that holds all nodes.
@@ -72,28 +105,34 @@ mod tests {
     use crate::camera::MAX_SIDE;
     use crate::stars::kernel::REACHES;
 
+    const GROUPS: [Group; 2] = [Group::Rows, Group::Tile];
+
     #[test]
     fn there_are_more_overflow_lists_than_the_nodes_can_fill() {
-        // Each time that the count of a pair of groups reaches another LIST nodes, both groups may claim an
-        // overflow list.
-        let most = 2 * ((CAPACITY - UNCOUNTED - 1) / LIST);
-        assert!(most < OVERFLOWS, "{most}");
-        // llvmpipe ends the loops of a shader after 65,535 iterations in total: 20,000 are left for direct
-        // integration.
-        let [x, y] = GROUP;
-        let longest = UNCOUNTED + LIST + (CAPACITY / LIST) * x * y;
-        assert!(longest < 65_535 - 20_000 && 4 * LIST < 65_535, "{longest}");
-        // An owner combines a group and the number of one of its overflow lists in 32 bits. The index of a node
-        // has 26 bits.
-        let groups = u64::from(MAX_SIDE.div_ceil(x)) * u64::from(MAX_SIDE.div_ceil(y));
-        assert!((groups + 1) * u64::from(CAPACITY / LIST) <= u64::from(u32::MAX));
+        for group in GROUPS {
+            // Each time that the count of a pair of groups reaches another LIST nodes, both groups may claim an
+            // overflow list.
+            let most = 2 * ((group.capacity() - group.uncounted() - 1) / LIST);
+            assert!(most < OVERFLOWS, "{most}");
+            // llvmpipe ends the loops of a shader after 65,535 iterations in total: 20,000 are left for direct
+            // integration.
+            let [x, y] = group.size();
+            let longest = group.uncounted() + LIST + (group.capacity() / LIST) * x * y;
+            assert!(longest < 65_535 - 20_000 && 4 * LIST < 65_535, "{longest}");
+            // An owner combines a group and the number of one of its overflow lists in 32 bits. The index of a node
+            // has 26 bits.
+            let groups = u64::from(MAX_SIDE.div_ceil(x)) * u64::from(MAX_SIDE.div_ceil(y));
+            assert!((groups + 1) * u64::from(group.capacity() / LIST) <= u64::from(u32::MAX));
+        }
         const { assert!(NODES < 1 << 26) };
     }
 
     #[test]
     fn any_device_has_room_for_the_lists_of_the_largest_picture() {
         let most = Limits::default().max_storage_buffer_binding_size;
-        assert!(list_heads_bytes([MAX_SIDE; 2]) <= most);
+        for group in GROUPS {
+            assert!(group.list_heads_bytes([MAX_SIDE; 2]) <= most);
+        }
     }
 
     #[test]
@@ -104,6 +143,6 @@ mod tests {
         // star_node.wgsl stores a coordinate in 20 bits, in steps of 1/8192 pixel from 64 pixels before the group.
         let farthest = REACHES.into_iter().fold(0.0, f64::max) + 1.0;
         assert!(farthest < 64.0);
-        assert!(f64::from(GROUP[0].max(GROUP[1])) + farthest < 128.0 - 64.0);
+        assert!(f64::from(TILE) + farthest < 128.0 - 64.0);
     }
 }

@@ -1,7 +1,7 @@
 //! The compute pipelines that make the star lists.
 
 use super::data::INVERSE_PAIRS;
-use super::nodes;
+use super::nodes::{self, Group};
 use crate::gpu::bindings::{
     storage_buffer_binding, storage_texture_binding, uint_texture_binding, uniform_binding,
 };
@@ -22,10 +22,11 @@ pub(super) const WORKGROUP: u32 = 64;
 const BENT: &str = "star_images_bent";
 const FLAT: &str = "star_images_flat";
 
-/// The compute pipelines that make the star lists. They do not depend on the stars.
+/// The compute pipelines that make the star lists of such groups. They do not depend on the stars.
 #[derive(Debug)]
 pub(in crate::gpu) struct StarPrograms {
     device: Device,
+    pub(super) group: Group,
     lists: Mutex<HashMap<ListKey, Arc<ComputeShader>>>,
     pub(super) sum_overflows: ComputeShader,
     pub(super) link_sums: ComputeShader,
@@ -50,10 +51,10 @@ impl ListKey {
         shift: Shift::Off,
     };
 
-    /// The WGSL source that makes the star lists.
-    pub(super) fn source(self) -> String {
+    /// The WGSL source that makes the star lists of such groups.
+    pub(super) fn source(self, group: Group) -> String {
         let mut modules = Modules::new();
-        nodes::define(&mut modules);
+        group.define(&mut modules);
         modules.define(
             "star_images",
             alias_module(if self.bent { BENT } else { FLAT }),
@@ -72,7 +73,7 @@ impl ListKey {
 }
 
 impl StarPrograms {
-    pub(in crate::gpu) fn new(device: &Device) -> Self {
+    pub(in crate::gpu) fn new(device: &Device, group: Group) -> Self {
         let uniform = uniform_binding(false);
         let write = storage_buffer_binding(false);
         let overflow = |name, nodes| {
@@ -80,7 +81,7 @@ impl StarPrograms {
                 device,
                 name,
                 &[uniform, write, nodes],
-                overflow_source(name),
+                overflow_source(name, group),
             )
         };
         StarPrograms {
@@ -88,6 +89,7 @@ impl StarPrograms {
             sum_overflows: overflow("sum_overflow_lists", uint_texture_binding()),
             link_sums: overflow("link_overflow_sums", storage_texture_binding(nodes::FORMAT)),
             device: device.clone(),
+            group,
         }
     }
 
@@ -97,7 +99,8 @@ impl StarPrograms {
         let (read, write) = (storage_buffer_binding(true), storage_buffer_binding(false));
         let written_nodes = storage_texture_binding(nodes::FORMAT);
         let bindings = [uniform, uniform, read, read, read, write, written_nodes];
-        let compile = || ComputeShader::new(&self.device, "list_stars", &bindings, key.source());
+        let source = || key.source(self.group);
+        let compile = || ComputeShader::new(&self.device, "list_stars", &bindings, source());
         let mut lists = self.lists.lock().unwrap_or_else(PoisonError::into_inner);
         lists
             .entry(key)
@@ -106,9 +109,9 @@ impl StarPrograms {
     }
 }
 
-fn overflow_source(root: &str) -> String {
+fn overflow_source(root: &str, group: Group) -> String {
     let mut modules = Modules::new();
-    nodes::define(&mut modules);
+    group.define(&mut modules);
     modules.assemble(&[root])
 }
 
@@ -119,7 +122,7 @@ pub(super) mod tests {
 
     /// The WGSL source that makes the star lists with bending.
     pub(in crate::gpu::stars) fn bent_source() -> String {
-        ListKey::AT_REST.source()
+        ListKey::AT_REST.source(Group::Rows)
     }
 
     #[test]
@@ -132,12 +135,16 @@ pub(super) mod tests {
                         motion,
                         shift,
                     };
-                    validate(&key.source(), &["list_stars"]);
+                    for group in [Group::Rows, Group::Tile] {
+                        validate(&key.source(group), &["list_stars"]);
+                    }
                 }
             }
         }
         for name in ["sum_overflow_lists", "link_overflow_sums"] {
-            validate(&overflow_source(name), &[name]);
+            for group in [Group::Rows, Group::Tile] {
+                validate(&overflow_source(name, group), &[name]);
+            }
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Reports whether the star lists held all light, without waiting for the GPU: the node count, which is the number
 //! of nodes that a frame requested, is read back a few frames later.
 
-use super::nodes;
+use super::nodes::Group;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use wgpu::*;
@@ -21,6 +21,7 @@ pub enum StarLight {
 /// The node counts of the last frames.
 #[derive(Debug)]
 pub(super) struct Reports {
+    group: Group,
     slots: Vec<Arc<Slot>>,
     frames: AtomicU64,
 }
@@ -52,7 +53,7 @@ struct FrameLists {
 }
 
 impl Reports {
-    pub(super) fn new(device: &Device) -> Self {
+    pub(super) fn new(device: &Device, group: Group) -> Self {
         let slot = |_| {
             let requested = device.create_buffer(&BufferDescriptor {
                 label: Some("nodes requested"),
@@ -66,6 +67,7 @@ impl Reports {
             })
         };
         Reports {
+            group,
             slots: (0..IN_FLIGHT).map(slot).collect(),
             frames: AtomicU64::new(0),
         }
@@ -92,7 +94,7 @@ impl Reports {
         for slot in &self.slots {
             send_back(slot);
         }
-        let arrived = self.slots.iter().filter_map(|slot| slot.take());
+        let arrived = self.slots.iter().filter_map(|slot| slot.take(self.group));
         arrived
             .max_by_key(|(number, _)| *number)
             .map(|(_, light)| light)
@@ -126,7 +128,7 @@ impl Slot {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn take(&self) -> Option<(u64, StarLight)> {
+    fn take(&self, group: Group) -> Option<(u64, StarLight)> {
         let State::Arrived(frame) = *self.state() else {
             return None;
         };
@@ -134,16 +136,16 @@ impl Slot {
         let requested = requested.map(|view| bytemuck::pod_read_unaligned::<u32>(&view));
         self.requested.unmap();
         *self.state() = State::Free;
-        let light = StarLight::of(requested?, frame.full);
+        let light = StarLight::of(requested?, group, frame.full);
         Some((frame.number, light))
     }
 }
 
 impl StarLight {
-    /// The report of a frame that requested `requested` nodes. `full`: there were more images than were sent to the
-    /// GPU.
-    pub(super) fn of(requested: u32, full: bool) -> Self {
-        if full || !nodes::fits(requested) {
+    /// The report of a frame that requested `requested` nodes for lists of such groups. `full`: there were more images
+    /// than were sent to the GPU.
+    pub(super) fn of(requested: u32, group: Group, full: bool) -> Self {
+        if full || !group.fits(requested) {
             StarLight::PartLost
         } else {
             StarLight::Whole
