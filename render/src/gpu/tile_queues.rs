@@ -1,12 +1,12 @@
 //! Tile classification: `shaders/classify_tiles.wgsl` puts each tile of a filtered picture into the work queue of
 //! the simplest program that can draw it, and writes the arguments of each queue's indirect dispatch.
 
+use super::Region;
 use super::bindings::{bind_group, block_of};
 use super::camera_block::RegionBlock;
 use super::compute;
 use super::layouts::{ComputeLayouts, Layouts};
 use super::source::PipelineKey;
-use super::Region;
 use crate::filter::TileClass;
 use crate::shaders::{PADDING, TILE};
 use wgpu::*;
