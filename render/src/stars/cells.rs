@@ -10,11 +10,14 @@ use crate::camera::{Camera, ViewAngle};
 use crate::shift::Rendition;
 use crate::sky::{face_coordinates, texel_direction};
 use glam::{DVec2, DVec3};
+use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::ops::Range;
 
 /// Cells along each edge of a cube face.
 const CELLS: u32 = 10;
+/// Cells that one thread searches in turn.
+const CELLS_AT_ONCE: usize = 40;
 /// Steps along each edge of a cell, for sorting its stars in Morton order.
 const MORTON_STEPS: u32 = 256;
 
@@ -147,8 +150,17 @@ impl Cells {
         candidates.arcs.clear();
         let frustum = Frustum::of(camera, rendition);
         let orders = ImageBounds::of(lens, self.disc_radius);
-        for cell in &self.cells {
-            self.append(candidates, cell, &frustum, &orders);
+        let of_cells = |cells: &[Cell]| {
+            let mut found = Candidates::default();
+            for cell in cells {
+                self.append(&mut found, cell, &frustum, &orders);
+            }
+            found
+        };
+        let parts: Vec<Candidates> = self.cells.par_chunks(CELLS_AT_ONCE).map(of_cells).collect();
+        for part in &parts {
+            candidates.points.extend_from_slice(&part.points);
+            candidates.arcs.extend_from_slice(&part.arcs);
         }
     }
 

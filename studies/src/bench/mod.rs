@@ -6,6 +6,7 @@
 
 mod contender;
 mod errors;
+pub mod figure;
 mod measured;
 pub mod report;
 

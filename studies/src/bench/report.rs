@@ -136,7 +136,7 @@ struct Row {
 }
 
 impl MeasuredContender {
-    fn name(&self) -> String {
+    pub(super) fn name(&self) -> String {
         self.contender.name(self.pass)
     }
 
@@ -148,14 +148,14 @@ impl MeasuredContender {
 }
 
 impl Bench {
-    fn sizes(&self) -> impl Iterator<Item = (u32, u32)> {
+    pub(super) fn sizes(&self) -> impl Iterator<Item = (u32, u32)> {
         self.entries
             .iter()
             .step_by(CONTENDERS.len())
             .map(|entry| entry.size)
     }
 
-    fn entry(&self, size: (u32, u32), contender: Contender) -> &MeasuredContender {
+    pub(super) fn entry(&self, size: (u32, u32), contender: Contender) -> &MeasuredContender {
         let mut all = self.entries.iter();
         all.find(|entry| entry.size == size && entry.contender == contender)
             .expect("every contender is measured at every size")
@@ -182,12 +182,13 @@ impl Bench {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::bench::Measured;
     use lensbake_render::gpu::Pass;
 
-    fn bench(gpu_ns_per_ray: Option<f64>) -> Bench {
+    /// A benchmark of this time by the GPU's clock.
+    pub(in crate::bench) fn bench(gpu_ns_per_ray: Option<f64>) -> Bench {
         let entry = |contender| MeasuredContender {
             size: (4, 3),
             contender,

@@ -224,11 +224,9 @@ pub struct WindowArgs {
     pub size: (u32, u32),
     /// Fill the screen.
     #[arg(long)]
-    #[cfg_attr(not(feature = "window"), expect(dead_code))]
     pub fullscreen: bool,
     /// Play a path of the camera: a JSON file of keyframes, as `viewer film` takes it.
     #[arg(long, value_name = "FILE")]
-    #[cfg_attr(not(feature = "window"), expect(dead_code))]
     pub play: Option<PathBuf>,
     /// Kind of passes in which the GPU draws [default: compute, where the GPU has compute shaders].
     #[arg(long, value_enum)]

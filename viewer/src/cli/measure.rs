@@ -58,6 +58,9 @@ pub struct BenchArgs {
     /// File to write the results to as JSON; - as for --csv.
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
+    /// Draw the time per ray against the size of the picture to this SVG file; - as for --csv.
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
 }
 
 /// Options of `viewer reference`.

@@ -7,7 +7,9 @@ use lensbake_program::{Outcome, Printer, Progress, message};
 use lensbake_render::gpu::Gpu;
 use lensbake_render::sky::{self, SkySource};
 use lensbake_render::stars::{StarField, hipparcos};
+use lensbake_studies::bench::figure::CostOfSize;
 use lensbake_studies::bench::{self, SIZES, Workload, report};
+use lensbake_studies::figure::drawing::svg;
 use lensbake_tables::default_atlas;
 use pollster::block_on;
 use std::path::PathBuf;
@@ -18,9 +20,13 @@ const STEPS: f64 = 1000.0;
 
 pub fn run(args: &BenchArgs) -> Result<Outcome, CommandError> {
     let file = |path: &Option<PathBuf>| path.as_deref().map(Output::new).transpose();
-    let (csv, json) = (file(&args.csv)?, file(&args.json)?);
-    if let (Some(csv), Some(json)) = (&csv, &json) {
-        csv.is_apart(json, ["--csv", "--json"])?;
+    let (csv, json, plot) = (file(&args.csv)?, file(&args.json)?, file(&args.plot)?);
+    let names = ["--csv", "--json", "--plot"];
+    let files = [&csv, &json, &plot];
+    for (one, other) in [(0, 1), (0, 2), (1, 2)] {
+        if let (Some(first), Some(second)) = (files[one], files[other]) {
+            first.is_apart(second, [names[one], names[other]])?;
+        }
     }
     if !(args.seconds >= 0.0 && args.seconds <= 3600.0) {
         return Err(CommandError::Seconds(args.seconds));
@@ -39,7 +45,7 @@ pub fn run(args: &BenchArgs) -> Result<Outcome, CommandError> {
     let run = bench::run(&renderer, &sky, &stars, default_atlas(), &workload, reach);
     let bench = block_on(run)?;
     progress.finish();
-    let data_on_stdout = [&csv, &json]
+    let data_on_stdout = [&csv, &json, &plot]
         .into_iter()
         .flatten()
         .any(Output::is_standard_output);
@@ -48,6 +54,9 @@ pub fn run(args: &BenchArgs) -> Result<Outcome, CommandError> {
     let csv_written = csv.map_or(Ok(()), |file| write(&file, &report::csv(&bench)));
     if let Some(file) = json {
         write(&file, &report::json(&bench).map_err(CommandError::Json)?)?;
+    }
+    if let Some(file) = plot {
+        write(&file, &svg(&CostOfSize(&bench))?)?;
     }
     csv_written?;
     printer.finish()?;
