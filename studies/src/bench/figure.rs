@@ -3,9 +3,11 @@
 use super::contender::{Contender, FILTERED, FINEST, FLAT, LUT};
 use super::{Bench, MeasuredContender};
 use crate::figure::drawing::{Area, Figure, Ink, text};
+use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;
+use std::ops::Range;
 
 const SIZE: (u32, u32) = (1600, 900);
 /// Heights of the title and of the names below the axis, the width of those beside it, and that of the names of the
@@ -31,6 +33,9 @@ const SHOWN: [(Contender, RGBColor); 6] = [
     (FLAT, RGBColor(26, 127, 55)),
 ];
 
+/// The plane of the figure: logarithms of the number of pixels and of the time.
+type Chart<'a, DB> = ChartContext<'a, DB, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+
 /// The time per ray against the number of pixels.
 #[derive(Debug)]
 pub struct CostOfSize<'a>(pub &'a Bench);
@@ -48,8 +53,6 @@ impl Figure for CostOfSize<'_> {
         let title = format!("Time per ray, {}", self.0.adapter);
         area.draw(&Text::new(title, (BESIDE as i32, 26), text(34)))?;
         let curves = SHOWN.map(|(contender, colour)| self.curve(contender, colour));
-        let sizes: Vec<(u32, u32)> = self.0.sizes().collect();
-        let pixels = |&(width, height): &(u32, u32)| (f64::from(width) * f64::from(height)).ln();
         let points = || curves.iter().flat_map(|curve| &curve.points);
         let (across, up) = (
             around(points().map(|point| point.0), 0.15),
@@ -61,46 +64,14 @@ impl Figure for CostOfSize<'_> {
             .x_label_area_size(BELOW)
             .y_label_area_size(BESIDE)
             .build_cartesian_2d(across.0..across.1, up.0..up.1)?;
-        let grid = Ink::PALE.stroke_width(2);
-        for size in &sizes {
-            let x = pixels(size);
-            chart.draw_series(LineSeries::new([(x, up.0), (x, up.1)], grid))?;
-            let below = text(24).pos(Pos::new(HPos::Center, VPos::Top));
-            let (x, y) = chart.backend_coord(&(x, up.0));
-            let name = format!("{} × {}", size.0, size.1);
-            area.draw(&Text::new(name, (x, y + 14), below))?;
-        }
-        for ns in ticks(up) {
-            chart.draw_series(LineSeries::new([(across.0, ns), (across.1, ns)], grid))?;
-            let beside = text(24).pos(Pos::new(HPos::Right, VPos::Center));
-            let (x, y) = chart.backend_coord(&(across.0, ns));
-            let name = format!("{} ns", (ns.exp() * 1e3).round() / 1e3);
-            area.draw(&Text::new(name, (x - 14, y + 4), beside))?;
-        }
+        self.draw_grid(area, &mut chart)?;
         for curve in &curves {
             let line = curve.colour.stroke_width(4);
             chart.draw_series(LineSeries::new(curve.points.iter().copied(), line))?;
             let dots = curve.points.iter();
             chart.draw_series(dots.map(|&at| Circle::new(at, 6, curve.colour.filled())))?;
         }
-        let mut ends: Vec<(i32, &Curve)> = curves
-            .iter()
-            .filter_map(|curve| Some((chart.backend_coord(curve.points.last()?).1, curve)))
-            .collect();
-        ends.sort_by_key(|(y, _)| *y);
-        let mut free = i32::MIN;
-        for (y, curve) in ends {
-            let y = y.max(free);
-            free = y + LINE;
-            let style = text(26).pos(Pos::new(HPos::Left, VPos::Center));
-            let at = ((SIZE.0 - NAMES) as i32 + 16, y);
-            area.draw(&Text::new(
-                curve.name.clone(),
-                at,
-                style.color(&curve.colour),
-            ))?;
-        }
-        Ok(())
+        draw_names(area, &chart, &curves)
     }
 }
 
@@ -119,6 +90,62 @@ impl CostOfSize<'_> {
             points,
         }
     }
+
+    /// Draws a line for each size and for round times, and their names.
+    fn draw_grid<DB: DrawingBackend>(
+        &self,
+        area: &Area<DB>,
+        chart: &mut Chart<DB>,
+    ) -> Result<(), Box<dyn Error>>
+    where
+        DB::ErrorType: 'static,
+    {
+        let grid = Ink::PALE.stroke_width(2);
+        let (across, up) = (chart.x_range(), chart.y_range());
+        for size in self.0.sizes() {
+            let x = ln_pixels(size);
+            chart.draw_series(LineSeries::new([(x, up.start), (x, up.end)], grid))?;
+            let below = text(24).pos(Pos::new(HPos::Center, VPos::Top));
+            let (x, y) = chart.backend_coord(&(x, up.start));
+            let name = format!("{} × {}", size.0, size.1);
+            area.draw(&Text::new(name, (x, y + 14), below))?;
+        }
+        for ns in ticks(&up) {
+            let line = [(across.start, ns), (across.end, ns)];
+            chart.draw_series(LineSeries::new(line, grid))?;
+            let beside = text(24).pos(Pos::new(HPos::Right, VPos::Center));
+            let (x, y) = chart.backend_coord(&(across.start, ns));
+            let name = format!("{} ns", (ns.exp() * 1e3).round() / 1e3);
+            area.draw(&Text::new(name, (x - 14, y + 4), beside))?;
+        }
+        Ok(())
+    }
+}
+
+/// Draws the name of each curve beside its last point, below the name before it.
+fn draw_names<DB: DrawingBackend>(
+    area: &Area<DB>,
+    chart: &Chart<DB>,
+    curves: &[Curve],
+) -> Result<(), Box<dyn Error>>
+where
+    DB::ErrorType: 'static,
+{
+    let mut ends: Vec<(i32, &Curve)> = curves
+        .iter()
+        .filter_map(|curve| Some((chart.backend_coord(curve.points.last()?).1, curve)))
+        .collect();
+    ends.sort_by_key(|(y, _)| *y);
+    let mut free = i32::MIN;
+    for (y, curve) in ends {
+        let y = y.max(free);
+        free = y + LINE;
+        let style = text(26).pos(Pos::new(HPos::Left, VPos::Center));
+        let at = ((SIZE.0 - NAMES) as i32 + 16, y);
+        let name = curve.name.clone();
+        area.draw(&Text::new(name, at, style.color(&curve.colour)))?;
+    }
+    Ok(())
 }
 
 /// One contender: (ln pixels, ln T_ray) at each size, in ascending order.
@@ -128,14 +155,15 @@ struct Curve {
     points: Vec<(f64, f64)>,
 }
 
+/// The logarithm of the number of pixels of a picture.
+fn ln_pixels((width, height): (u32, u32)) -> f64 {
+    (f64::from(width) * f64::from(height)).ln()
+}
+
 fn point(entry: &MeasuredContender) -> (f64, f64) {
     let measured = entry.measured;
     let ns = measured.gpu_ns_per_ray.unwrap_or(measured.wall_ns_per_ray);
-    let (width, height) = entry.size;
-    (
-        (f64::from(width) * f64::from(height)).ln(),
-        ns.max(1e-6).ln(),
-    )
+    (ln_pixels(entry.size), ns.max(1e-6).ln())
 }
 
 /// The range of these values, and `margin` more at either end.
@@ -146,10 +174,10 @@ fn around(values: impl Iterator<Item = f64> + Clone, margin: f64) -> (f64, f64) 
 }
 
 /// The logarithms of the round times within a range of logarithms.
-fn ticks((from, to): (f64, f64)) -> Vec<f64> {
+fn ticks(range: &Range<f64>) -> Vec<f64> {
     let hundreds = TICKS.map(|ns| 1e4 * ns);
     let all = TICKS.into_iter().chain(hundreds).map(f64::ln);
-    all.filter(|at| (from..=to).contains(at)).collect()
+    all.filter(|at| range.contains(at)).collect()
 }
 
 #[cfg(test)]
@@ -180,7 +208,7 @@ mod tests {
 
     #[test]
     fn ticks_lie_in_the_range() {
-        let found = ticks((0.9_f64.ln(), 210_f64.ln()))
+        let found = ticks(&(0.9_f64.ln()..210_f64.ln()))
             .into_iter()
             .map(f64::exp);
         let found: Vec<f64> = found.map(|ns| ns.round()).collect();
