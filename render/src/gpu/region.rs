@@ -27,7 +27,7 @@ impl Region {
     }
 
     /// Divides the region into bands of whole rows, each with at most `pixels` pixels but at least one row. Bands of at least
-    /// [`TILE`] rows begin where a tile of the region does.
+    /// 8 rows begin where a tile of the region does.
     pub fn bands(self, pixels: u32) -> impl Iterator<Item = Region> {
         let ([column, row], [width, height]) = (self.first, self.count);
         let most = (pixels / width.max(1)).max(1);
