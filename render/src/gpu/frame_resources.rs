@@ -157,7 +157,7 @@ impl FrameResources {
     }
 
     /// Sets the stars that the next dispatches draw through `lens`, after [`FrameResources::show`]. Their lists are created
-    /// anew only for other stars, or if other pixels share one.
+    /// anew only for other stars, or for another group of pixels that share a list.
     pub(super) fn show_stars(&mut self, lens: &Lens, stars: &StarsOnDevice, rendition: Rendition) {
         let is_shown = |lists: &StarLists| lists.are_of(stars, self.group);
         if !self.stars.as_ref().is_some_and(is_shown) {

@@ -87,7 +87,7 @@ impl Pipelines {
         program
     }
 
-    /// The pixels that share a list of stars in such pictures: a tile, where an invocation draws a column of one.
+    /// The pixels that share a list of stars in a picture of this kind: a tile if an invocation draws a column of a tile.
     pub(super) fn group(&self, pass: Pass, sampling: Sampling) -> Group {
         if self.on_software && pass == Pass::Compute && sampling.averages() {
             Group::Tile
@@ -96,7 +96,7 @@ impl Pipelines {
         }
     }
 
-    /// The programs that make the star lists of such groups. Compiles them the first time.
+    /// The programs that make a star list for each `group` of pixels. Compiles them the first time.
     pub(super) fn stars(&self, group: Group) -> Arc<StarPrograms> {
         let mut cache = self.cache.lock().unwrap_or_else(PoisonError::into_inner);
         let new = || Arc::new(StarPrograms::new(&self.device, group));

@@ -155,7 +155,7 @@ impl PipelineKey {
         PipelineKey::new(lens.deflection, output, store, row, stars, camera, shift)
     }
 
-    /// The same key for lists of stars on such groups.
+    /// The same key with a star list for each `group` of pixels.
     pub(super) fn with_group(self, group: Group) -> Self {
         PipelineKey { group, ..self }
     }

@@ -3,26 +3,23 @@
 use super::contender::{Contender, FILTERED, FINEST, FLAT, LUT};
 use super::{Bench, MeasuredContender};
 use crate::figure::drawing::{Area, Figure, Ink, text};
+use crate::figure::{LogAxis, Ticks};
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;
-use std::ops::Range;
 
 const SIZE: (u32, u32) = (1600, 900);
-/// Heights of the title and of the names below the axis, the width of those beside it, and that of the names of the
-/// contenders, pixels.
+/// Height of the title, pixels.
 const TITLE: u32 = 90;
+/// Height of the names of the sizes, pixels.
 const BELOW: u32 = 110;
+/// Width of the names of the times, pixels.
 const BESIDE: u32 = 110;
+/// Width of the names of the contenders, pixels.
 const NAMES: u32 = 330;
 /// Least distance between the names of two contenders, pixels.
 const LINE: i32 = 36;
-/// The times that may have a tick, ns.
-const TICKS: [f64; 12] = [
-    0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0,
-];
-
 /// The contenders of the figure, and their colours.
 const SHOWN: [(Contender, RGBColor); 6] = [
     (FINEST, RGBColor(101, 109, 118)),
@@ -110,13 +107,13 @@ impl CostOfSize<'_> {
             let name = format!("{} × {}", size.0, size.1);
             area.draw(&Text::new(name, (x, y + 14), below))?;
         }
-        for ns in ticks(&up) {
-            let line = [(across.start, ns), (across.end, ns)];
+        let times = LogAxis::new(up.start.exp()..=up.end.exp(), Ticks::OneTwoFive);
+        for (ns, name) in times.ticks() {
+            let line = [(across.start, ns.ln()), (across.end, ns.ln())];
             chart.draw_series(LineSeries::new(line, grid))?;
             let beside = text(24).pos(Pos::new(HPos::Right, VPos::Center));
-            let (x, y) = chart.backend_coord(&(across.start, ns));
-            let name = format!("{} ns", (ns.exp() * 1e3).round() / 1e3);
-            area.draw(&Text::new(name, (x - 14, y + 4), beside))?;
+            let (x, y) = chart.backend_coord(&line[0]);
+            area.draw(&Text::new(format!("{name} ns"), (x - 14, y + 4), beside))?;
         }
         Ok(())
     }
@@ -173,13 +170,6 @@ fn around(values: impl Iterator<Item = f64> + Clone, margin: f64) -> (f64, f64) 
     (least - margin, most + margin)
 }
 
-/// The logarithms of the round times within a range of logarithms.
-fn ticks(range: &Range<f64>) -> Vec<f64> {
-    let hundreds = TICKS.map(|ns| 1e4 * ns);
-    let all = TICKS.into_iter().chain(hundreds).map(f64::ln);
-    all.filter(|at| range.contains(at)).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::report::tests::bench;
@@ -204,14 +194,5 @@ mod tests {
         ] {
             assert!(figure.contains(text), "{text}");
         }
-    }
-
-    #[test]
-    fn ticks_lie_in_the_range() {
-        let found = ticks(&(0.9_f64.ln()..210_f64.ln()))
-            .into_iter()
-            .map(f64::exp);
-        let found: Vec<f64> = found.map(|ns| ns.round()).collect();
-        assert_eq!(found, [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0]);
     }
 }

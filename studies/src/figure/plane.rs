@@ -38,7 +38,7 @@ impl LogAxis {
     }
 
     /// The values that have a tick, and its text.
-    fn ticks(&self) -> Vec<(f64, String)> {
+    pub(crate) fn ticks(&self) -> Vec<(f64, String)> {
         let first = (self.range.start().log10() - 1e-9).floor() as i32;
         let last = (self.range.end().log10() + 1e-9).floor() as i32;
         let digits: &[u8] = match self.ticks {

@@ -126,7 +126,7 @@ impl StarLists {
         }
     }
 
-    /// Whether these are the lists of `stars` on such groups.
+    /// Whether these are the lists of `stars`, one for each `group` of pixels.
     pub(in crate::gpu) fn are_of(&self, stars: &StarsOnDevice, group: Group) -> bool {
         self.stars == *stars && self.programs.group == group
     }

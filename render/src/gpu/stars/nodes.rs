@@ -8,9 +8,9 @@ use wgpu::*;
 /// The pixels that share a list. `shaders/star_node.wgsl` calls them a group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(in crate::gpu) enum Group {
-    /// 8 × 2 pixels, each of which sums up the list for itself.
+    /// 8 × 2 pixels. Each pixel sums up the list by itself.
     Rows,
-    /// A tile, each of whose columns sums up the list for its 8 pixels.
+    /// A tile of 8 × 8 pixels. Each of its columns sums up the list once for its 8 pixels.
     Tile,
 }
 
@@ -36,7 +36,8 @@ impl Group {
         }
     }
 
-    /// Number of nodes, the first of a picture, that are not counted list by list: counting takes time in every frame.
+    /// Number of nodes that are not counted list by list, because counting takes time in every frame. They are the first nodes
+    /// of a picture.
     const fn uncounted(self) -> u32 {
         match self {
             Group::Rows => 1 << 15,
@@ -44,8 +45,8 @@ impl Group {
         }
     }
 
-    /// Number of nodes, the last ones, that are reserved for the sums of the overflow lists: one for each pixel of
-    /// each list.
+    /// Number of nodes that are reserved for the sums of the overflow lists: one for each pixel of each list. They are the last
+    /// nodes of the texture.
     const fn sums(self) -> u32 {
         OVERFLOWS * self.size()[0] * self.size()[1]
     }
@@ -65,7 +66,7 @@ impl Group {
         requested < self.capacity()
     }
 
-    /// Defines the module `star_node_constants`.
+    /// Defines the shader module `star_node_constants`: these sizes as WGSL constants.
     pub(in crate::gpu) fn define(self, modules: &mut Modules) {
         let [width, height] = self.size();
         let constants = [

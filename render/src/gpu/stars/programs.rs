@@ -22,7 +22,7 @@ pub(super) const WORKGROUP: u32 = 64;
 const BENT: &str = "star_images_bent";
 const FLAT: &str = "star_images_flat";
 
-/// The compute pipelines that make the star lists of such groups. They do not depend on the stars.
+/// The compute pipelines that make a star list for each group of pixels. They do not depend on the stars.
 #[derive(Debug)]
 pub(in crate::gpu) struct StarPrograms {
     device: Device,
@@ -51,7 +51,7 @@ impl ListKey {
         shift: Shift::Off,
     };
 
-    /// The WGSL source that makes the star lists of such groups.
+    /// The WGSL source that makes a star list for each `group` of pixels.
     pub(super) fn source(self, group: Group) -> String {
         let mut modules = Modules::new();
         group.define(&mut modules);

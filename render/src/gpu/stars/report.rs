@@ -142,7 +142,7 @@ impl Slot {
 }
 
 impl StarLight {
-    /// The report of a frame that requested `requested` nodes for lists of such groups. `full`: there were more images
+    /// The report of a frame that requested `requested` nodes for a list for each `group` of pixels. `full`: there were more images
     /// than were sent to the GPU.
     pub(super) fn of(requested: u32, group: Group, full: bool) -> Self {
         if full || !group.fits(requested) {
