@@ -5,7 +5,7 @@ use crate::camera::{Camera, ViewAngle};
 use glam::DVec3;
 use lensbake_core::rk4::Stepper;
 use lensbake_core::{BendAndSlope, Observer, RayOutcome, ShadowCoordinate, direct, exact};
-use lensbake_tables::{Axis, Row, RowBatch, RowFormat, Table, TableError};
+use lensbake_tables::{Axis, Row, RowBatch, Table, TableError};
 use thiserror::Error;
 
 /// Deflection method.
@@ -50,6 +50,16 @@ impl Deflection {
     }
 }
 
+/// How a shader looks up the table's row. The CPU looks up the row itself, in f64.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Lookup {
+    /// In stereographic coordinates ([`StereographicRow`](lensbake_tables::StereographicRow)): the fastest, in 46 KiB.
+    #[default]
+    Stereographic,
+    /// The row itself, in its number of texels and its format: the smallest, from 32 bytes on.
+    Row,
+}
+
 /// A camera, the bending for its observer, and the deflection method.
 ///
 /// ```
@@ -76,6 +86,8 @@ pub struct Lens {
     pub row: Row,
     /// Deflection method.
     pub deflection: Deflection,
+    /// How a shader looks up the row.
+    pub lookup: Lookup,
 }
 
 /// Why a lens cannot be made.
@@ -136,10 +148,6 @@ pub struct Deflected {
 }
 
 impl Lens {
-    /// Format of the row on a GPU: one load per lookup in place of two. The polynomials are the same, so the errors are,
-    /// too.
-    const ROW_FORMAT: RowFormat = RowFormat::Coefficients;
-
     /// The lens of `camera`, its row interpolated from `table`.
     ///
     /// # Errors
@@ -153,8 +161,9 @@ impl Lens {
         }
         Ok(Lens {
             camera,
-            row: table.row(camera.observer)?.in_format(Self::ROW_FORMAT),
+            row: table.row(camera.observer)?,
             deflection,
+            lookup: Lookup::default(),
         })
     }
 

@@ -133,8 +133,21 @@ impl Axis {
 
     /// The normalised shadow coordinate x at the position `q` in [0, 1] of the row of `observer`.
     pub fn shadow_coordinate(&self, observer: &Observer, q: f64) -> ShadowCoordinate {
-        // The inverse of a scaling by σ is that by 1/σ.
-        scaled(self.coordinate(q), 1.0 / self.edge_scale(observer))
+        self.shadow_coordinate_at(observer, self.coordinate(q))
+    }
+
+    /// The normalised shadow coordinate x at the row coordinate `at` of `observer`: the inverse of
+    /// [`Axis::row_coordinate`].
+    pub fn shadow_coordinate_at(
+        &self,
+        observer: &Observer,
+        at: ShadowCoordinate,
+    ) -> ShadowCoordinate {
+        match self {
+            // The inverse of a scaling by σ is that by 1/σ.
+            Axis::ResidualBelow => scaled(at, 1.0 / self.edge_scale(observer)),
+            _ => at,
+        }
     }
 
     /// dx/dq at the position `q` of the row of `observer`.

@@ -104,6 +104,7 @@ mod row;
 mod row_format;
 mod rows;
 pub mod statistics;
+pub mod stereographic;
 mod table;
 #[cfg(feature = "files")]
 pub mod text;
@@ -120,4 +121,5 @@ pub use inverse::InverseRow;
 pub use row::Row;
 pub use row_format::{ChannelRanges, RowFormat};
 pub use rows::Rows;
+pub use stereographic::StereographicRow;
 pub use table::{Table, Texel};

@@ -9,6 +9,7 @@ use lensbake_core::Observer;
 /// WGSL source of the lookup above the horizon. The text of [`RowShape::wgsl`] must precede it.
 pub const WGSL: &str = concat!(
     include_str!("wgsl/arithmetic.wgsl"),
+    include_str!("wgsl/shadow_edge.wgsl"),
     include_str!("wgsl/row_coordinate_above.wgsl"),
     include_str!("wgsl/lookup.wgsl")
 );
@@ -16,14 +17,16 @@ pub const WGSL: &str = concat!(
 /// WGSL source of the lookup below the horizon: as [`WGSL`], with another row coordinate.
 pub const WGSL_BELOW: &str = concat!(
     include_str!("wgsl/arithmetic.wgsl"),
+    include_str!("wgsl/shadow_edge.wgsl"),
     include_str!("wgsl/row_coordinate_below.wgsl"),
     include_str!("wgsl/lookup.wgsl")
 );
 
 /// The WGSL files by name, for programs that assemble shaders from modules. Each file names the modules that it
-/// needs in `// #import` lines. The module `row` is [`RowShape::wgsl`], and `row_coordinate` is the one that
-/// [`RowShape::row_coordinate`] names.
-pub const WGSL_MODULES: [(&str, &str); 4] = [
+/// needs in `// #import` lines. The module `row` is [`RowShape::wgsl`] for `lookup` and
+/// [`StereographicRow::wgsl`](crate::StereographicRow::wgsl) for `stereographic`, and `row_coordinate` is the one that
+/// [`HorizonSide::row_coordinate`] names.
+pub const WGSL_MODULES: [(&str, &str); 6] = [
     ("arithmetic", include_str!("wgsl/arithmetic.wgsl")),
     (
         "row_coordinate_above",
@@ -33,7 +36,9 @@ pub const WGSL_MODULES: [(&str, &str); 4] = [
         "row_coordinate_below",
         include_str!("wgsl/row_coordinate_below.wgsl"),
     ),
+    ("shadow_edge", include_str!("wgsl/shadow_edge.wgsl")),
     ("lookup", include_str!("wgsl/lookup.wgsl")),
+    ("stereographic", include_str!("wgsl/stereographic.wgsl")),
 ];
 
 /// Largest width in texels of the texture that holds a row: WebGPU guarantees this width on every device. A longer

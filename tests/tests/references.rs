@@ -59,7 +59,7 @@ fn probe(@builtin(global_invocation_id) id: vec3<u32>) {
     let part = sky_part(distance, q.px, half_edge);
     let t = taps(Footprint(q.d, q.right, q.down), 512.0, 16.0);
     let seen = patch_of(q.d, q.right, q.down);
-    let deflected = Deflected(ESCAPES, cos(q.angle), sin(q.angle), 0.25);
+    let deflected = Deflected(ESCAPES, cos(q.angle), sin(q.angle), 0.75);
     let sky = footprint(moved(seen, 0.01 * q.px, 0.5), deflected);
     let share = kernel_factor(q.kernel) * kernel_share(q.d.xy * reach_of(q.kernel), q.kernel);
     answers[id.x] = array(distance, part.covered, part.shift, part.extent, t.level, t.count, t.step,

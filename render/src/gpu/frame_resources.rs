@@ -9,6 +9,7 @@ use super::disc_block::DiscOnDevice;
 use super::fragment_pass::{FragmentRegion, FragmentResources};
 use super::layouts::Layouts;
 use super::lights::Lights;
+use super::lookup_shape::LookupShape;
 use super::pass::Pass;
 use super::pipelines::{Pipelines, Program, ProgramKind};
 use super::renderer::Renderer;
@@ -23,8 +24,7 @@ use crate::lens::Lens;
 use crate::scene::Sampling;
 use crate::shadow::Shadow;
 use crate::shift::Rendition;
-use lensbake_tables::lookup::{HorizonSide, RowShape};
-use lensbake_tables::{Interpolation, RowFormat};
+use lensbake_tables::lookup::HorizonSide;
 use std::sync::Arc;
 use wgpu::*;
 
@@ -65,16 +65,7 @@ impl FrameResources {
         let region_stride = (size_of::<RegionBlock>() as u64).next_multiple_of(alignment.into());
         let camera = uniform_buffer(device, "camera", size_of::<CameraBlock>() as u64);
         let region_blocks = uniform_buffer(device, "regions", region_stride);
-        // Replaced when the first row is shown.
-        let row = RowTexture::new(
-            device,
-            RowShape {
-                texels: 4,
-                interpolation: Interpolation::Hermite,
-                side: HorizonSide::Above,
-                format: RowFormat::Float32,
-            },
-        );
+        let row = RowTexture::new(device, LookupShape::Stereographic(HorizonSide::Above));
         let inputs = PassInputs {
             camera: &camera,
             regions: &region_blocks,
@@ -129,7 +120,7 @@ impl FrameResources {
     ) {
         self.regions.clear();
         self.regions.extend(regions);
-        self.make_room(lens.row.shape(), sampling, pass);
+        self.make_room(LookupShape::of(lens), sampling, pass);
         self.group = self.pipelines.group(pass, sampling);
         let queue = &self.gpu.queue;
         let camera = CameraBlock::new(&lens.camera, Shadow::of(lens), rendition.light_scale);
@@ -153,7 +144,7 @@ impl FrameResources {
             self.uploaded_regions.truncate(i);
             self.uploaded_regions.push(block);
         }
-        self.row.show(queue, &lens.row);
+        self.row.show(queue, lens);
     }
 
     /// Sets the stars that the next dispatches draw through `lens`, after [`FrameResources::show`]. Their lists are created
@@ -263,7 +254,7 @@ impl FrameResources {
     /// Makes room for a row of this shape, for the uniform blocks of all regions, and for their work queues if the
     /// picture is filtered. Creates resources anew only for another shape or kind of pass, or if there are more regions or
     /// tiles than ever before.
-    fn make_room(&mut self, row: RowShape, sampling: Sampling, pass: Pass) {
+    fn make_room(&mut self, lookup: LookupShape, sampling: Sampling, pass: Pass) {
         let blocks = self.regions.len() as u64 * self.region_stride;
         let by_tiles = pass == Pass::Compute && sampling.averages();
         let holds = match (&self.drawing, pass) {
@@ -273,12 +264,12 @@ impl FrameResources {
             (Drawing::Fragment(_), Pass::Fragment) => true,
             (Drawing::Compute(_), Pass::Fragment) | (Drawing::Fragment(_), Pass::Compute) => false,
         };
-        if row == self.row.shape() && blocks <= self.region_blocks.size() && holds {
+        if self.row.fits(lookup) && blocks <= self.region_blocks.size() && holds {
             return;
         }
         let device = &self.gpu.device;
-        if row != self.row.shape() {
-            self.row = RowTexture::new(device, row);
+        if !self.row.fits(lookup) {
+            self.row = RowTexture::new(device, lookup);
         }
         if blocks > self.region_blocks.size() {
             self.region_blocks = uniform_buffer(device, "regions", blocks);

@@ -3,6 +3,7 @@
 
 use super::camera_key::CameraKey;
 use super::frame_resources::FrameResources;
+use super::lookup_shape::LookupShape;
 use super::pipelines::Program;
 use super::region::dispatch_pixels;
 use super::source::{Output, PipelineKey, Store};
@@ -136,12 +137,12 @@ impl RealtimeRenderer {
                 DrawKind::Picture(deflection) => (deflection, Output::Picture(scene.sampling)),
                 DrawKind::Difference => (direct, Output::Difference),
             };
-            let (row, motion) = (lens.row.shape(), CameraKey::of(&lens.camera));
+            let (lookup, motion) = (LookupShape::of(lens), CameraKey::of(&lens.camera));
             let key = PipelineKey::new(
                 deflection,
                 output,
                 Store::Texture,
-                row,
+                lookup,
                 stars.is_some(),
                 motion,
                 scene.rendition.shift,

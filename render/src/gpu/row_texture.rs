@@ -1,7 +1,9 @@
 //! The texture of a row.
 
+use super::lookup_shape::LookupShape;
 use super::texture::texture;
-use lensbake_tables::lookup::{GpuRow, RowShape};
+use crate::lens::Lens;
+use lensbake_tables::lookup::RowShape;
 use lensbake_tables::{Interpolation, Row, RowFormat};
 use wgpu::*;
 
@@ -23,30 +25,30 @@ pub fn row_texture_format(shape: RowShape) -> TextureFormat {
 pub(super) struct RowTexture {
     texture: Texture,
     view: TextureView,
-    shape: RowShape,
-    shown: Option<Row>,
+    shown: Option<(LookupShape, Row)>,
 }
 
 impl RowTexture {
     /// An empty texture for rows of this shape.
-    pub(super) fn new(device: &Device, shape: RowShape) -> Self {
+    pub(super) fn new(device: &Device, shape: LookupShape) -> Self {
         let usage = TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST;
-        let (size, format) = (shape.texture_size(), row_texture_format(shape));
+        let (size, format) = shape.texture();
         let texture = texture(device, "row", size, format, usage);
         RowTexture {
             view: texture.create_view(&Default::default()),
             texture,
-            shape,
             shown: None,
         }
     }
 
-    /// Uploads `row`, unless it is the last one again.
-    pub(super) fn show(&mut self, queue: &Queue, row: &Row) {
-        if self.shown.as_ref() == Some(row) {
+    /// Uploads the row of `lens`, unless it is the last one again.
+    pub(super) fn show(&mut self, queue: &Queue, lens: &Lens) {
+        let shape = LookupShape::of(lens);
+        let is_shown = |(old, row): &(LookupShape, Row)| *old == shape && *row == lens.row;
+        if self.shown.as_ref().is_some_and(is_shown) {
             return;
         }
-        let bytes = GpuRow::new(row).texture_bytes();
+        let bytes = shape.texture_bytes(&lens.row);
         let layout = TexelCopyBufferLayout {
             offset: 0,
             bytes_per_row: Some(bytes.len() as u32 / self.texture.height()),
@@ -54,12 +56,13 @@ impl RowTexture {
         };
         let place = self.texture.as_image_copy();
         queue.write_texture(place, &bytes, layout, self.texture.size());
-        self.shown = Some(row.clone());
+        self.shown = Some((shape, lens.row.clone()));
     }
 
-    /// Shape of the rows that it can hold.
-    pub(super) fn shape(&self) -> RowShape {
-        self.shape
+    /// Whether it has the size and the format of rows of this shape.
+    pub(super) fn fits(&self, shape: LookupShape) -> bool {
+        let size = [self.texture.width(), self.texture.height()];
+        shape.texture() == (size, self.texture.format())
     }
 
     /// What the shaders read.

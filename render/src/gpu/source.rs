@@ -1,6 +1,7 @@
 //! The key of a pipeline, and its WGSL source.
 
 use super::camera_key::CameraKey;
+use super::lookup_shape::LookupShape;
 use super::pass::Pass;
 use super::stars::Group;
 use crate::disc::Disc;
@@ -8,7 +9,6 @@ use crate::lens::{Deflection, Lens};
 use crate::scene::Sampling;
 use crate::shaders::Modules;
 use crate::shift::Shift;
-use lensbake_tables::lookup::RowShape;
 
 /// What a pass computes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -71,7 +71,7 @@ pub struct PipelineKey {
     /// Where it writes.
     pub store: Store,
     /// Shape of the row that it looks up.
-    pub row: RowShape,
+    pub lookup: LookupShape,
     /// Whether it draws stars in front of the sky.
     pub stars: bool,
     /// The pixels that share a list of stars.
@@ -86,9 +86,7 @@ pub struct PipelineKey {
     pattern: bool,
 }
 
-/// Names of the modules that depend on the key.
-const ROW: &str = "row";
-const ROW_COORDINATE: &str = "row_coordinate";
+/// Name of the module that [`PipelineKey::deflect`] writes.
 const DEFLECT: &str = "deflect";
 
 impl PipelineKey {
@@ -98,7 +96,7 @@ impl PipelineKey {
         deflection: Deflection,
         output: Output,
         store: Store,
-        row: RowShape,
+        lookup: LookupShape,
         stars: bool,
         camera: CameraKey,
         shift: Shift,
@@ -116,7 +114,7 @@ impl PipelineKey {
             },
             output,
             store,
-            row,
+            lookup,
             stars: stars && matches!(output, Output::Picture(_)),
             group: Group::Rows,
             // Only direct integration starts differently for a radial motion; for the table it is in the row.
@@ -151,8 +149,8 @@ impl PipelineKey {
 
     /// The key of a pipeline that computes `output` through `lens`.
     pub(super) fn of(lens: &Lens, output: Output, store: Store, stars: bool, shift: Shift) -> Self {
-        let (row, camera) = (lens.row.shape(), CameraKey::of(&lens.camera));
-        PipelineKey::new(lens.deflection, output, store, row, stars, camera, shift)
+        let (lookup, camera) = (LookupShape::of(lens), CameraKey::of(&lens.camera));
+        PipelineKey::new(lens.deflection, output, store, lookup, stars, camera, shift)
     }
 
     /// The same key with a star list for each `group` of pixels.
@@ -344,8 +342,7 @@ impl PipelineKey {
 
     fn modules(self) -> Modules {
         let mut modules = Modules::new();
-        modules.define(ROW, self.row.wgsl(0, 2));
-        modules.define(ROW_COORDINATE, alias_module(self.row.row_coordinate()));
+        self.lookup.define(&mut modules);
         self.camera.define(&mut modules);
         define_shift(&mut modules, self.shift);
         modules.define("step", format!("const STEP: f32 = {:?};\n", self.step()));
@@ -366,7 +363,7 @@ impl PipelineKey {
     /// The module `deflect`: it defines `deflect`, and `deflect_patch` for rays with a footprint.
     fn deflect(self) -> String {
         match self.deflection {
-            DeflectionKey::Lut => calls("deflect_lut", "deflect_lut", "deflect_lut_patch"),
+            DeflectionKey::Lut => calls("table", "deflect_lut", "deflect_lut_patch"),
             DeflectionKey::Flat => calls("deflect_flat", "deflect_flat", "deflect_flat"),
             DeflectionKey::Direct { .. } if matches!(self.output, Output::Picture(_)) => calls(
                 "deflect_direct_patch",

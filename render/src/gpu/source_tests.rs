@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::camera::Mapping;
-use lensbake_tables::lookup::HorizonSide;
+use lensbake_tables::lookup::{HorizonSide, RowShape};
 use lensbake_tables::{ChannelRanges, Interpolation, RowFormat};
 use naga::back::glsl;
 use naga::proc::BoundsCheckPolicies;
@@ -27,7 +27,16 @@ const OBSERVERS: [(HorizonSide, CameraKey, Shift); 5] = {
 };
 
 /// Checksum of all shaders without a disc.
-const WITHOUT_DISCS: u32 = 1_754_591_128;
+const WITHOUT_DISCS: u32 = 2_234_320_563;
+
+fn row(side: HorizonSide, format: RowFormat) -> RowShape {
+    RowShape {
+        texels: 64,
+        interpolation: Interpolation::Hermite,
+        side,
+        format,
+    }
+}
 
 /// Keys of every kind.
 pub(in crate::gpu) fn keys() -> Vec<PipelineKey> {
@@ -47,17 +56,15 @@ pub(in crate::gpu) fn keys() -> Vec<PipelineKey> {
     for deflection in deflections {
         for output in outputs {
             for store in [Store::Buffer, Store::Texture] {
-                for interpolation in [Interpolation::Linear, Interpolation::Hermite] {
+                for by_row in [false, true] {
                     for stars in [false, true] {
                         for (side, motion, shift) in OBSERVERS {
-                            let row = RowShape {
-                                texels: 64,
-                                interpolation,
-                                side,
-                                format: RowFormat::Float32,
+                            let lookup = match by_row {
+                                false => LookupShape::Stereographic(side),
+                                true => LookupShape::Row(row(side, RowFormat::Float32)),
                             };
                             let key = PipelineKey::new(
-                                deflection, output, store, row, stars, motion, shift,
+                                deflection, output, store, lookup, stars, motion, shift,
                             );
                             keys.extend(
                                 [Pass::Compute, Pass::Fragment].map(|pass| key.in_pass(pass)),
@@ -136,15 +143,26 @@ fn without_a_disc_no_shader_has_a_part_of_it() {
 fn shaders_of_every_row_format_are_valid() {
     let ranges = ChannelRanges::of(&[[-0.4, 0.0], [0.0, 1e-9]]);
     for format in [
+        RowFormat::Float32,
         RowFormat::Float16,
         RowFormat::Unorm16(ranges),
         RowFormat::Coefficients,
     ] {
-        for key in keys() {
-            let row = RowShape { format, ..key.row };
-            let key = PipelineKey { row, ..key };
-            if key.deflection == DeflectionKey::Lut && key.store == Store::Buffer {
-                validate(&key.source(), key.entry_points());
+        for interpolation in [Interpolation::Linear, Interpolation::Hermite] {
+            for key in keys() {
+                let LookupShape::Row(row) = key.lookup else {
+                    continue;
+                };
+                let row = RowShape {
+                    interpolation,
+                    format,
+                    ..row
+                };
+                let lookup = LookupShape::Row(row);
+                let key = PipelineKey { lookup, ..key };
+                if key.deflection == DeflectionKey::Lut && key.store == Store::Buffer {
+                    validate(&key.source(), key.entry_points());
+                }
             }
         }
     }

@@ -1,8 +1,8 @@
 //! The cost of a model in counts, not in time: counts are the same on every machine.
 
 use crate::gpu::UNIFORM_BYTES;
-use crate::lens::{Deflection, Lens};
-use lensbake_tables::{Interpolation, RowFormat};
+use crate::lens::{Deflection, Lens, Lookup};
+use lensbake_tables::{Interpolation, RowFormat, stereographic};
 use std::f64::consts::PI;
 use std::fmt;
 
@@ -22,9 +22,10 @@ pub struct Cost {
 /// Operation counts of the shaders. A test compares them with the WGSL.
 mod operations {
     pub const FLAT: u32 = 8;
-    pub const LINEAR: u32 = 87;
-    pub const HERMITE: u32 = 104;
-    pub const COEFFICIENTS: u32 = 95;
+    pub const LINEAR: u32 = 88;
+    pub const HERMITE: u32 = 105;
+    pub const COEFFICIENTS: u32 = 96;
+    pub const STEREOGRAPHIC: u32 = 52;
     /// The map of one texel from the codes of 16-bit integers.
     pub const DECODING: u32 = 2;
     /// Direct integration without its steps.
@@ -46,6 +47,11 @@ impl Cost {
                 bytes: UNIFORM_BYTES,
                 loads: 0,
                 operations: operations::DIRECT + operations::STEP * (PI / step).ceil() as u32,
+            },
+            Deflection::Lut if lens.lookup == Lookup::Stereographic => Cost {
+                bytes: UNIFORM_BYTES + stereographic::BYTES,
+                loads: 1,
+                operations: operations::STEREOGRAPHIC,
             },
             Deflection::Lut => {
                 let interpolation = match lens.row.interpolation() {
@@ -80,7 +86,7 @@ impl fmt::Display for Cost {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::{CameraKey, Output, PipelineKey, Store};
+    use crate::gpu::{CameraKey, LookupShape, Output, PipelineKey, Store};
     use crate::shift::Shift;
     use lensbake_tables::ChannelRanges;
     use lensbake_tables::lookup::{HorizonSide, RowShape};
@@ -175,17 +181,23 @@ mod tests {
         interpolation: Interpolation,
         format: RowFormat,
     ) -> Count {
-        let row = RowShape {
-            texels: 64,
-            interpolation,
-            side: HorizonSide::Above,
-            format,
-        };
+        counted_by(
+            method,
+            LookupShape::Row(RowShape {
+                texels: 64,
+                interpolation,
+                side: HorizonSide::Above,
+                format,
+            }),
+        )
+    }
+
+    fn counted_by(method: Deflection, lookup: LookupShape) -> Count {
         let source = PipelineKey::new(
             method,
             Output::Trace,
             Store::Buffer,
-            row,
+            lookup,
             false,
             CameraKey::AT_REST,
             Shift::Off,
@@ -211,6 +223,8 @@ mod tests {
         let flat = counted(Deflection::Flat, Interpolation::Hermite);
         let linear = counted(Deflection::Lut, Interpolation::Linear);
         let hermite = counted(Deflection::Lut, Interpolation::Hermite);
+        let stereographic = LookupShape::Stereographic(HorizonSide::Above);
+        let stereographic = counted_by(Deflection::Lut, stereographic);
         let direct = counted(Deflection::Direct { step: 0.1 }, Interpolation::Hermite);
         let known = |outside, inside, loads| Count {
             outside,
@@ -218,11 +232,12 @@ mod tests {
             loads,
         };
         assert_eq!(
-            [flat, linear, hermite, direct],
+            [flat, linear, hermite, stereographic, direct],
             [
                 known(operations::FLAT, 0, 0),
                 known(operations::LINEAR, 0, 2),
                 known(operations::HERMITE, 0, 2),
+                known(operations::STEREOGRAPHIC, 0, 1),
                 known(operations::DIRECT, operations::STEP, 0),
             ]
         );

@@ -16,7 +16,7 @@ pub use explain::explain;
 pub use prediction::{Precision, Prediction};
 
 use crate::disc::Disc;
-use crate::lens::{Deflection, Lens, LensError};
+use crate::lens::{Deflection, Lens, LensError, Lookup};
 use disc::{DiscReference, integrated};
 use lensbake_tables::Interpolation;
 use prediction::Predictor;
@@ -78,6 +78,7 @@ impl Model {
                 interpolation,
             } => Ok(Lens {
                 row: lens.row.resampled(texels, interpolation)?,
+                lookup: Lookup::Row,
                 ..lens.with_deflection(Deflection::Lut)
             }),
         }

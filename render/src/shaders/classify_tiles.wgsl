@@ -55,7 +55,7 @@ fn class_of_tile(corner: vec2<f32>) -> u32 {
     if deflected.outcome != ESCAPES {
         return MANY_RAYS;
     }
-    let radial = 1.0 - deflected.slope;
+    let radial = deflected.radial;
     let least_sin = min(towards.y, p * t.x + c * t.y);
     let most_sin = abs(deflected.sin_sky) + 2.0 * reach * radial;
     // Straight away from the hole the radial and the tangential derivative are equal.

@@ -1,26 +1,24 @@
-// Deflection by table lookup.
-// #import camera
+// Deflection by table lookup, in a row of stereographic coordinates.
+// #import camera_edge
 // #import deflection
-// #import lookup
+// #import stereographic
 
-fn shadow_edge() -> ShadowEdge {
-    return ShadowEdge(camera.tan_half_shadow, camera.log_weight, camera.away_slope, camera.edge_scale);
-}
-
-// For one ray, whose vector (c, p) need not be normalised: (cos_sky, sin_sky) has its length. The slope needs a unit vector.
+// For one ray, whose vector (c, p) need not be normalised; nor is (cos_sky, sin_sky). The derivative needs a unit vector.
 fn deflect_lut(c: f32, p: f32) -> Deflected {
-    return deflected_by(c, p, bending(c, p, shadow_edge()));
-}
-
-// For footprints: the slope is accurate in every direction, even straight away from the hole.
-fn deflect_lut_patch(c: f32, p: f32) -> Deflected {
-    return deflected_by(c, p, bending_for_footprint(c, p, shadow_edge()));
-}
-
-fn deflected_by(c: f32, p: f32, bent: Bending) -> Deflected {
-    if bent.captured {
+    let sky = sky_direction(c, p, shadow_edge());
+    if sky.captured {
         return Deflected(CAPTURED, 0.0, 0.0, 0.0);
     }
-    let sky = turned(c, p, bent.bend);
-    return Deflected(ESCAPES, sky.x, sky.y, bent.slope);
+    return Deflected(ESCAPES, sky.cos_sin.x, sky.cos_sin.y, sky.radial);
+}
+
+// For footprints: (cos_sky, sin_sky) is a unit vector.
+fn deflect_lut_patch(c: f32, p: f32) -> Deflected {
+    var deflected = deflect_lut(c, p);
+    if deflected.outcome == ESCAPES {
+        let size = inverseSqrt(deflected.cos_sky * deflected.cos_sky + deflected.sin_sky * deflected.sin_sky);
+        deflected.cos_sky *= size;
+        deflected.sin_sky *= size;
+    }
+    return deflected;
 }

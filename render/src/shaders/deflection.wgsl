@@ -6,11 +6,11 @@ const UNFINISHED: u32 = 2u;
 
 struct Deflected {
     outcome: u32,
-    // cos and sin of the sky angle from the direction of the hole, multiplied by the length of the view vector where the deflection method keeps it.
+    // cos and sin of the sky angle from the direction of the hole, up to a factor; for footprints they are exact.
     cos_sky: f32,
     sin_sky: f32,
-    // dΔ/dθ.
-    slope: f32,
+    // dθ′/dθ.
+    radial: f32,
 }
 
 // The direction d after deflection: turned in its plane through the hole. p is the distance of d from the axis, sin θ of

@@ -1,6 +1,6 @@
 // The difference between the pictures by the table and by direct integration, amplified.
 // #import deflect_direct
-// #import deflect_lut
+// #import table
 // #import region
 // #import sky
 // #import view

@@ -100,7 +100,7 @@ fn orbit_of(seen: Patch, more: f32) -> Orbit {
 }
 
 fn leaving(deflected: Deflected) -> Leaving {
-    return Leaving(vec2(-deflected.cos_sky, deflected.sin_sky), deflected.slope - 1.0);
+    return Leaving(vec2(-deflected.cos_sky, deflected.sin_sky), -deflected.radial);
 }
 
 // The ray that leaves the observer opposite to the one through the middle of a patch, which leaves inwards: its φ_∞ is the

@@ -24,7 +24,7 @@ struct Taps {
 
 // The footprint of a patch: the patch of sky that it covers after deflection.
 fn footprint(seen: Patch, deflected: Deflected) -> Footprint {
-    let derivative = 1.0 - deflected.slope;
+    let derivative = deflected.radial;
     let radius = vec2(seen.tangential.y, -seen.tangential.x);
     let radial = vec3(radius * deflected.cos_sky, deflected.sin_sky) * derivative;
     // On the axis, where sin θ is 0, both derivatives are equal.

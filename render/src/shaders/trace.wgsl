@@ -8,5 +8,6 @@ fn pixel(id: vec2<u32>) -> vec4<f32> {
     let d = view_direction(id);
     let p = length(d.xy);
     let deflected = deflect(-d.z, p);
-    return vec4(turn_direction(d, p, deflected), f32(deflected.outcome));
+    let direction = turn_direction(d, p, deflected);
+    return vec4(direction / max(length(direction), 1e-30), f32(deflected.outcome));
 }

@@ -4,7 +4,7 @@ use super::ChartError;
 use lensbake_core::{Motion, MovingFrame};
 use lensbake_render::camera::{Camera, CameraError, View};
 use lensbake_render::gpu::Pass;
-use lensbake_render::lens::{Deflection, Lens, LensError};
+use lensbake_render::lens::{Deflection, Lens, LensError, Lookup};
 use lensbake_render::model::Model;
 use lensbake_render::scene::Sampling;
 use lensbake_tables::lookup::GpuRow;
@@ -136,10 +136,13 @@ pub fn formats(lens: &Lens, unorm16: bool) -> Vec<Contender> {
         .map(|(name, format)| {
             let lens = Lens {
                 row: lens.row.clone().in_format(format),
+                lookup: Lookup::Row,
                 ..lens.with_deflection(Deflection::Lut)
             };
-            Contender::new(name, Family::Format, lens)
+            (name, lens)
         })
+        .chain([("stereographic", lens.with_deflection(Deflection::Lut))])
+        .map(|(name, lens)| Contender::new(name, Family::Format, lens))
         .collect()
 }
 
@@ -193,7 +196,7 @@ mod tests {
         let camera = Camera::new(&View::default()).unwrap();
         let lens = Lens::new(camera, default_atlas(), Deflection::Lut).unwrap();
         let floats = Lens {
-            row: lens.row.clone().in_format(RowFormat::Float32),
+            lookup: Lookup::Row,
             ..lens.clone()
         };
         let usual = Cost::of(&floats).bytes;
@@ -202,7 +205,7 @@ mod tests {
             .map(|contender| Cost::of(&contender.lens))
             .map(|cost| (cost.bytes as i64 - usual as i64, cost.loads))
             .collect();
-        assert_eq!(costs, [(-256, 2), (-256, 2), (512, 1)]);
-        assert_eq!(formats(&lens, false).len(), 2);
+        assert_eq!(costs, [(-256, 2), (-256, 2), (512, 1), (46_592, 1)]);
+        assert_eq!(formats(&lens, false).len(), 3);
     }
 }

@@ -2,7 +2,7 @@
 
 /// `f(i)` for each lane i.
 #[inline(always)]
-pub(super) fn each<T: Copy, const N: usize>(f: impl Fn(usize) -> T) -> [T; N] {
+pub(crate) fn each<T: Copy, const N: usize>(f: impl Fn(usize) -> T) -> [T; N] {
     let mut lanes = [f(0); N];
     for (i, lane) in lanes.iter_mut().enumerate() {
         *lane = f(i);

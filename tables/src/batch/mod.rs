@@ -8,8 +8,9 @@
 //! The row is stored as the coefficients of a cubic in each interval between two texels: one ray reads them from one
 //! place.
 
-mod lanes;
+pub(crate) mod lanes;
 mod logarithm;
+pub(crate) mod sines;
 mod single;
 
 pub use single::RowBatchF32;
@@ -29,7 +30,7 @@ const LANES: usize = 8;
 type Lanes = [f64; LANES];
 
 /// 3 · 2⁵¹: a sum with it is rounded to an integer, which is then in the lowest bits.
-const ROUNDING: f64 = 6_755_399_441_055_744.0;
+pub(crate) const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
 /// A row prepared for lookups of many rays in f64, made by [`Row::batch`]. The results are those of [`Row::bend`] and
 /// [`Row::bend_and_slope`] up to rounding; what they return as [`RayOutcome::Captured`](lensbake_core::RayOutcome::Captured) is NaN.
@@ -101,7 +102,7 @@ impl Row {
     }
 
     /// The polynomial between the texels of each interval.
-    fn cubics(&self) -> Vec<[f64; 4]> {
+    pub(crate) fn cubics(&self) -> Vec<[f64; 4]> {
         let cubic = |ends: &[[f64; 2]]| match self.interpolation() {
             Interpolation::Hermite => cubic_coefficients(ends[0], ends[1]),
             Interpolation::Linear => [ends[0][0], ends[1][0] - ends[0][0], 0.0, 0.0],

@@ -5,18 +5,7 @@
 // #import arithmetic
 // #import row
 // #import row_coordinate
-
-// The shadow boundary (critical curve) as the observer sees it.
-struct ShadowEdge {
-    // tan(θ_c/2)/σ.
-    tan_half: f32,
-    // (5/18) C/σ, the coefficient of (1−X) ln(1−X) relative to that of ln(1−X).
-    log_weight: f32,
-    // dΔ/dX at X = 0, in the direction away from the hole.
-    away_slope: f32,
-    // σ; 1 above the horizon, where X = x.
-    scale: f32,
-}
+// #import shadow_edge
 
 // Bound on sin θ and X. If both are below it and cos θ < 0, the ray looks straight away from the hole and Δ is
 // away_slope·X, with a relative error of 1e-6.

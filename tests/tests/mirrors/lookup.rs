@@ -62,7 +62,7 @@ fn probe(gpu: &Gpu, row: &GpuRow, inputs: &[[f32; 4]]) -> Vec<Probe> {
 
 /// Directions all around, concentrated at the shadow's edge from both sides and at the direction away from the
 /// hole; angles up to ten turns; positions between two texels.
-fn inputs(observer: &Observer) -> Vec<[f32; 4]> {
+pub(super) fn inputs(observer: &Observer) -> Vec<[f32; 4]> {
     let edge = observer.shadow_angle();
     let round = (0..=2000).map(|i| f64::from(i) / 2000.0 * std::f64::consts::PI);
     let crowd = (0..600).flat_map(|i| {

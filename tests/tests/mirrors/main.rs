@@ -5,3 +5,4 @@
 mod display;
 mod inverse;
 mod lookup;
+mod stereographic;
