@@ -141,7 +141,7 @@ pub async fn run(
         renderer,
         realtimes: PASSES.map(|pass| {
             let renderer = renderer.clone().in_pass(pass);
-            [(); 2].map(|()| RealtimeRenderer::new(renderer.clone(), [1, 1]))
+            RealtimeRenderer::new(renderer, [1, 1])
         }),
     };
     let mut entries = Vec::new();
@@ -173,9 +173,8 @@ struct Flight<'a> {
     sky: SkyOnDevice,
     stars: StarsOnDevice,
     renderer: &'a Renderer,
-    /// For each kind of pass, one for each shape of row: a change of shape creates resources anew, which no window does
-    /// from frame to frame.
-    realtimes: [[RealtimeRenderer; 2]; PASSES.len()],
+    /// For each kind of pass.
+    realtimes: [RealtimeRenderer; PASSES.len()],
 }
 
 impl Flight<'_> {
@@ -186,7 +185,7 @@ impl Flight<'_> {
         workload: &Workload,
         round_done: impl Fn(f64),
     ) -> Result<Vec<Vec<FrameTime>>, BenchError> {
-        for realtime in self.realtimes.as_flattened_mut() {
+        for realtime in &mut self.realtimes {
             realtime.set_room([size.0, size.1]);
         }
         for contender in CONTENDERS {
@@ -230,8 +229,7 @@ impl Flight<'_> {
             disc: contender.disc.then(Disc::default),
         };
         let pass = usize::from(contender.pass(self.renderer) == Pass::Fragment);
-        let shape = usize::from(contender.motion == Motion::Fall);
-        let realtime = &mut self.realtimes[pass][shape];
+        let realtime = &mut self.realtimes[pass];
         realtime.show(&scene, FrameContent::Picture);
         let gpu = self.timer.time(realtime).await?.gpu;
         let wall = started.elapsed();
