@@ -95,11 +95,6 @@ impl RowShape {
         }
     }
 
-    /// Name of the module of [`WGSL_MODULES`] that has the row coordinate.
-    pub fn row_coordinate(self) -> &'static str {
-        self.side.row_coordinate()
-    }
-
     /// Width and height of the texture that holds the row. The texels fill it line by line; the rest of the last
     /// line is unused.
     pub fn texture_size(self) -> [u32; 2] {

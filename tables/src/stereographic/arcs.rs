@@ -40,7 +40,7 @@ struct Places {
 static ABOVE: LazyLock<Places> = LazyLock::new(|| Places::on(Axis::Residual));
 static BELOW: LazyLock<Places> = LazyLock::new(|| Places::on(Axis::ResidualBelow));
 
-/// The distance of node `k` from its end of the axis: the lower end of interval k.
+/// The distance of node `k` from its end of the axis: X, or 1 − X. Interval k lies between the nodes k and k + 1.
 pub(super) fn distance(k: usize) -> f64 {
     let (octave, part) = (k / ARCS as usize, k % ARCS as usize);
     f64::from(SMALLEST) * (1_u64 << octave) as f64 * (1.0 + part as f64 / f64::from(ARCS))
@@ -208,9 +208,9 @@ impl NullaryFnOnce for Tabulation<'_> {
 
 /// The texel of an interval from (A, B) and √|dφ/dX| at both of its ends.
 ///
-/// On the line from one end, multiplied by w₀, to the other, multiplied by w₁, dφ/dt at the ends is as w₁/w₀ and w₀/w₁
-/// times the sine of the angle between them. So their quotient is right if w₀ : w₁ are as the roots of the derivatives at
-/// the other end. The length in the middle is nearly 1.
+/// The texel describes the line from the unit vector at one end times w₀ to that at the other end times w₁. Along it, dφ/dt is
+/// proportional to w₁/w₀ at the first end and to w₀/w₁ at the other, with the same factor. Their ratio is therefore that of
+/// the derivatives if w₀² : w₁² = dφ/dX at the other end : dφ/dX at the first. The vector in the middle has nearly the length 1.
 #[inline(always)]
 fn texel(
     [a, b, weight]: [f64; 3],

@@ -65,7 +65,8 @@ fn the_stereographic_lookup_has_its_mirror() {
     assert!(compared > 20_000, "{compared}");
 }
 
-/// Compares a probe with the mirror; `false` so near the shadow's edge that one rounding of X turns the direction.
+/// Compares a probe with the mirror. Returns `false`, and compares only whether the ray is captured, for rays so near the
+/// shadow's edge that one rounding of X turns the direction by more than 0.01 rad.
 fn compare(row: &StereographicRow, [c, p]: [f32; 2], probe: Probe, at: &str) -> bool {
     let x = mirror::row_coordinate(c, p, row.edge, row.side);
     let off = 4e-7 * row.edge.scale;
