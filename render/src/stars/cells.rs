@@ -1,32 +1,26 @@
-//! Culling of star images. The stars are sorted into cells of the sky. For each frame and image order, a cell is
-//! skipped if its image does not fall into the picture, and in the other cells the stars are skipped that are too
-//! faint to be visible.
+//! Culling of star images. The stars are sorted into cells of the sky and, within a cell, by their brightness. For each
+//! frame and image order, a cell is skipped if its image does not fall into the picture. Of the other cells the first
+//! stars are kept, up to the one that is too faint to be visible, so that no star is looked at by itself.
 
 use super::frustum::{Frustum, ImageCircle};
 use super::image_bounds::ImageBounds;
-use super::images::{ImageOrder, InverseLens, MIN_LIGHT};
+use super::images::{ImageOrder, MIN_LIGHT};
 use super::{PointStar, StarField};
 use crate::camera::{Camera, ViewAngle};
 use crate::shift::Rendition;
 use crate::sky::{face_coordinates, texel_direction};
 use glam::{DVec2, DVec3};
-use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::ops::Range;
 
 /// Cells along each edge of a cube face.
 const CELLS: u32 = 10;
-/// Cells that one thread searches in turn.
-const CELLS_AT_ONCE: usize = 40;
-/// Steps along each edge of a cell, for sorting its stars in Morton order.
-const MORTON_STEPS: u32 = 256;
 
 /// The stars of a field, sorted into cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cells {
     cells: Vec<Cell>,
-    /// Sorted by cell and, within a cell, in Morton order. Neighbours in the sky are then near each other in this
-    /// array, and the GPU writes their images to nearby memory.
+    /// Sorted by cell and, within a cell, the brightest first.
     stars: Vec<PointStar>,
     /// Index of each star in the field.
     in_field: Vec<u32>,
@@ -43,8 +37,6 @@ struct Cell {
     radius: f64,
     /// Indices of its stars in [`Cells::stars`].
     stars: Range<u32>,
-    /// Light of its brightest star, in the brightest channel.
-    brightest: f32,
 }
 
 /// The star images that a frame may show.
@@ -76,33 +68,23 @@ impl Candidate {
 impl Cells {
     /// Sorts the stars of `field` into cells.
     pub fn new(field: &StarField) -> Self {
-        let place = |direction: DVec3| {
-            let (face, u, v) = face_coordinates(direction.as_vec3());
-            let fine = [v, u].map(|unit| {
-                let fine = (unit * (CELLS * MORTON_STEPS) as f32) as u32;
-                fine.min(CELLS * MORTON_STEPS - 1)
-            });
-            let [row, column] = fine.map(|fine| fine / MORTON_STEPS);
-            let cell = (face as u32 * CELLS + row) * CELLS + column;
-            (cell, interleaved(fine.map(|fine| fine % MORTON_STEPS)))
-        };
-        let placed = |(index, star): (u32, &PointStar)| (place(star.direction), *star, index);
-        let mut placed: Vec<((u32, u32), PointStar, u32)> =
-            (0..).zip(&field.stars).map(placed).collect();
-        placed.sort_by_key(|(place, ..)| *place);
+        let placed = |(index, star): (u32, &PointStar)| (cell_of(star.direction), *star, index);
+        let mut placed: Vec<(u32, PointStar, u32)> = (0..).zip(&field.stars).map(placed).collect();
+        let light = |star: &PointStar| star.light.max_element();
+        placed.sort_by(|(a, star, _), (b, other, _)| {
+            a.cmp(b).then(light(other).total_cmp(&light(star)))
+        });
         let mut next = 0;
-        let cells = placed.chunk_by(|(a, ..), (b, ..)| a.0 == b.0).map(|stars| {
+        let cells = placed.chunk_by(|(a, ..), (b, ..)| a == b).map(|stars| {
             let first = next;
             next += stars.len() as u32;
-            let middle = middle_of(stars[0].0.0);
+            let middle = middle_of(stars[0].0);
             let from_middle =
                 |(_, star, _): &(_, PointStar, _)| star.direction.angle_between(middle);
-            let lights = stars.iter().map(|(_, star, _)| star.light.max_element());
             Cell {
                 middle,
                 radius: stars.iter().map(from_middle).fold(0.0, f64::max),
                 stars: first..next,
-                brightest: lights.fold(0.0, f32::max),
             }
         });
         let cells = cells.collect();
@@ -111,7 +93,7 @@ impl Cells {
         Cells {
             cells,
             in_field,
-            lights: stars.iter().map(|star| star.light.max_element()).collect(),
+            lights: stars.iter().map(light).collect(),
             stars,
             disc_radius: field.disc_radius,
         }
@@ -137,31 +119,26 @@ impl Cells {
         stars
     }
 
-    /// Replaces the contents of `candidates` by the images that the picture of `camera` may show through `lens`.
-    /// They include all visible images, and perhaps a few that are not visible.
+    /// Replaces the contents of `candidates` by the images that the picture of `camera` may show through the lens of
+    /// `bounds`. They include all visible images, and perhaps a few that are not visible.
     pub fn find(
         &self,
         camera: &Camera,
-        lens: &InverseLens,
+        bounds: &ImageBounds,
         rendition: Rendition,
         candidates: &mut Candidates,
     ) {
         candidates.points.clear();
         candidates.arcs.clear();
         let frustum = Frustum::of(camera, rendition);
-        let orders = ImageBounds::of(lens, self.disc_radius);
-        let of_cells = |cells: &[Cell]| {
-            let mut found = Candidates::default();
-            for cell in cells {
-                self.append(&mut found, cell, &frustum, &orders);
-            }
-            found
-        };
-        let parts: Vec<Candidates> = self.cells.par_chunks(CELLS_AT_ONCE).map(of_cells).collect();
-        for part in &parts {
-            candidates.points.extend_from_slice(&part.points);
-            candidates.arcs.extend_from_slice(&part.arcs);
+        for cell in &self.cells {
+            self.append(candidates, cell, &frustum, bounds);
         }
+    }
+
+    /// Light of the brightest star of a cell, in the brightest channel.
+    fn brightest(&self, cell: &Cell) -> f32 {
+        self.lights[cell.stars.start as usize]
     }
 
     /// Appends the images of a cell that may be visible.
@@ -170,16 +147,16 @@ impl Cells {
         candidates: &mut Candidates,
         cell: &Cell,
         frustum: &Frustum,
-        orders: &ImageBounds,
+        bounds: &ImageBounds,
     ) {
-        let direction = frustum.camera.sky_from_hole.transpose() * cell.middle;
+        let direction = frustum.hole_from_sky * cell.middle;
         let beta = ViewAngle::of(direction).radians();
-        if orders.may_be_arc(beta.min(PI - beta) - cell.radius) {
-            candidates.arcs.extend(cell.stars.clone());
+        if bounds.may_be_arc((beta.min(PI - beta) - cell.radius).sin()) {
+            self.append_arcs(&mut candidates.arcs, cell, frustum, bounds);
         }
         let azimuth = direction.truncate().normalize_or(DVec2::X);
         for (index, order) in ImageOrder::all().flatten().enumerate() {
-            let seen = orders.seen(index, beta - cell.radius, beta + cell.radius);
+            let seen = bounds.seen(index, beta - cell.radius, beta + cell.radius);
             let Some(seen) = seen else {
                 // Only without bending: the black sphere hides part of the cell, or this image order does not
                 // exist.
@@ -188,14 +165,15 @@ impl Cells {
                 }
                 break;
             };
+            let least = |brightness: f64| (f64::from(MIN_LIGHT) / brightness) as f32 * (1.0 - 1e-6);
+            let is_faint = |least: f32| self.brightest(cell) < least && !order.is_straight();
+            // The higher image orders are fainter, unless motion or shift brighten another part of the view.
+            if frustum.is_even() && is_faint(least(seen.brightness)) {
+                break;
+            }
             let image = ImageCircle::around(azimuth * order.side, &seen, cell.radius);
-            let brightness = seen.brightness * frustum.largest_factor(&image);
-            let least = (f64::from(MIN_LIGHT) / brightness) as f32 * (1.0 - 1e-6);
-            if cell.brightest < least && !order.is_straight() {
-                // The higher image orders are fainter, unless motion or shift brighten another part of the view.
-                if frustum.is_even() {
-                    break;
-                }
+            let least = least(seen.brightness * frustum.largest_factor(&image));
+            if is_faint(least) {
                 continue;
             }
             if frustum.may_see(&image) {
@@ -204,17 +182,35 @@ impl Cells {
         }
     }
 
-    /// Appends the images, in one image order, of the stars of a cell with at least this light. The loop has no
-    /// branch, because a branch would be unpredictable.
-    fn append_brighter(&self, points: &mut Vec<Candidate>, cell: &Cell, order: usize, least: f32) {
-        let mut end = points.len();
-        points.resize(end + cell.stars.len(), Candidate(0));
-        for star in cell.stars.clone() {
-            points[end] = Candidate::new(star, order);
-            end += usize::from(self.lights[star as usize] >= least);
-        }
-        points.truncate(end);
+    /// Appends the stars of a cell that may be arcs.
+    fn append_arcs(
+        &self,
+        arcs: &mut Vec<u32>,
+        cell: &Cell,
+        frustum: &Frustum,
+        bounds: &ImageBounds,
+    ) {
+        let axis = frustum.hole_from_sky.row(2);
+        arcs.extend(cell.stars.clone().filter(|&star| {
+            let direction = self.stars[star as usize].direction;
+            bounds.may_be_arc(axis.cross(direction).length())
+        }));
     }
+
+    /// Appends the images, in this image order, of the stars of a cell with at least this light.
+    fn append_brighter(&self, points: &mut Vec<Candidate>, cell: &Cell, order: usize, least: f32) {
+        let Range { start, end } = cell.stars;
+        let lights = &self.lights[start as usize..end as usize];
+        let seen = start..start + lights.partition_point(|light| *light >= least) as u32;
+        points.extend(seen.map(|star| Candidate::new(star, order)));
+    }
+}
+
+/// Index of the cell that a direction of the sky frame is in.
+fn cell_of(direction: DVec3) -> u32 {
+    let (face, u, v) = face_coordinates(direction.as_vec3());
+    let [row, column] = [v, u].map(|unit| ((unit * CELLS as f32) as u32).min(CELLS - 1));
+    (face as u32 * CELLS + row) * CELLS + column
 }
 
 /// Unit vector to the middle of the cell with this index, sky frame.
@@ -225,13 +221,6 @@ fn middle_of(cell: u32) -> DVec3 {
     middle.as_dvec3().normalize()
 }
 
-/// Interleaves the bits of row and column: the index in Morton order.
-fn interleaved([row, column]: [u32; 2]) -> u32 {
-    (0..MORTON_STEPS.ilog2()).fold(0, |bits, i| {
-        bits | (column >> i & 1) << (2 * i) | (row >> i & 1) << (2 * i + 1)
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -240,6 +229,7 @@ mod tests {
     use crate::shift::Shift;
     use crate::stars::draw::observed;
     use crate::stars::hipparcos;
+    use crate::stars::images::{InverseLens, arc_share};
     use lensbake_core::Motion;
     use lensbake_tables::default_atlas;
     use std::collections::HashSet;
@@ -262,7 +252,7 @@ mod tests {
             all
         };
         assert_eq!(sorted(cells.stars()), sorted(&field.stars));
-        let (mut seen, mut looked_at) = (0, 0);
+        let (mut seen, mut looked_at, mut arcs) = (0, 0, 0);
         let velocity = |radial, tangential| Motion::Velocity { radial, tangential };
         for (radius, yaw_deg, pitch_deg, roll_deg, fov_deg, method, motion, shift) in [
             (
@@ -405,13 +395,22 @@ mod tests {
             let inverse = InverseLens::of(&lens);
             let mut candidates = Candidates::default();
             let rendition = Rendition::of(shift);
-            cells.find(&camera, &inverse, rendition, &mut candidates);
+            let bounds = ImageBounds::of(&inverse, cells.disc_radius);
+            cells.find(&camera, &bounds, rendition, &mut candidates);
             let kept: HashSet<Candidate> = candidates.points.iter().copied().collect();
             assert_eq!(
                 kept.len(),
                 candidates.points.len(),
                 "an image is there twice"
             );
+            let from_axis = |star: &PointStar| {
+                ViewAngle::of(camera.sky_from_hole.transpose() * star.direction).sin
+            };
+            for (index, star) in (0..).zip(&cells.stars) {
+                let is_arc = arc_share(from_axis(star), cells.disc_radius) > 0.0;
+                assert_eq!(candidates.arcs.contains(&index), is_arc, "{star:?}");
+                arcs += usize::from(is_arc);
+            }
             for (star, order) in images_seen(&lens, &inverse, rendition, &cells) {
                 assert!(
                     kept.contains(&Candidate::new(star, order)),
@@ -428,6 +427,7 @@ mod tests {
             looked_at += kept.len();
         }
         assert!(seen > 20_000, "{seen}");
+        assert!(arcs > 10, "{arcs}");
         assert!(looked_at < 3 * seen, "{looked_at} for {seen}");
     }
 

@@ -5,7 +5,7 @@ use super::images::view_direction;
 use super::kernel::REACHES;
 use crate::camera::{Camera, ViewAngle};
 use crate::shift::{Rendition, Shift};
-use glam::{DVec2, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 use std::f64::consts::PI;
 
 /// A circle of directions, as the observer of the row sees them, that contains an image of a cell.
@@ -23,14 +23,16 @@ impl ImageCircle {
         let tangential = radius * seen.tangential_magnification.max(1.0);
         ImageCircle {
             middle: view_direction(azimuth, middle),
-            radius: along.hypot(tangential),
+            radius: (along * along + tangential * tangential).sqrt(),
         }
     }
 }
 
 /// The view frustum of a picture, with a margin for the widest point-spread kernel.
 pub(super) struct Frustum<'a> {
-    pub(super) camera: &'a Camera,
+    camera: &'a Camera,
+    /// Rotates directions of the sky frame into the hole frame.
+    pub(super) hole_from_sky: DMat3,
     rendition: Rendition,
     /// Inward unit normals of its sides.
     sides: [DVec3; 4],
@@ -52,6 +54,7 @@ impl<'a> Frustum<'a> {
         };
         Frustum {
             camera,
+            hole_from_sky: camera.sky_from_hole.transpose(),
             rendition,
             sides: [side(right), side(-right), side(down), side(-down)],
             margin: REACHES[REACHES.len() - 1] * camera.right.length(),
@@ -84,7 +87,8 @@ impl<'a> Frustum<'a> {
     pub(super) fn may_see(&self, image: &ImageCircle) -> bool {
         let (low, _) = self.camera.doppler_bounds(image.middle, image.radius);
         let (direction, _) = self.camera.boosted(image.middle);
-        let reach = (image.radius / low + self.margin).min(0.5 * PI).sin();
+        // Outside a side by an angle, the dot product is minus the sine of the angle, which is at most the angle.
+        let reach = image.radius / low + self.margin;
         self.sides.iter().all(|side| side.dot(direction) > -reach)
     }
 }

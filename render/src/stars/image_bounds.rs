@@ -5,9 +5,9 @@ use super::images::{ImageOrder, InverseLens, point_distance};
 use std::f64::consts::PI;
 
 /// Steps of the table from the direction of the hole to the opposite one, for image orders without windings.
-const STEPS: usize = 256;
+const STEPS: usize = 128;
 /// The same for image orders with windings, of which little is ever visible.
-const STEPS_WITH_WINDINGS: usize = 32;
+const STEPS_WITH_WINDINGS: usize = 16;
 
 /// Table of the images of a lens in each image order.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,9 +66,10 @@ impl ImageBounds {
         }
     }
 
-    /// Whether a star at `distance` (rad) from the optical axis is drawn as arcs, at least in part.
-    pub fn may_be_arc(&self, distance: f64) -> bool {
-        distance < 2.0 * self.least
+    /// Whether a star is drawn as arcs, at least in part, if its distance from the optical axis has the sine
+    /// `sin_distance`.
+    pub fn may_be_arc(&self, sin_distance: f64) -> bool {
+        sin_distance < 2.0 * self.least
     }
 
     /// Bounds on the image of the sky angles between `least` and `most` (rad from the direction of the hole), in

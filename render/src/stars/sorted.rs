@@ -2,6 +2,7 @@
 
 use super::cells::{Candidates, Cells};
 use super::draw::{add_splats, draw, splats_of};
+use super::image_bounds::ImageBounds;
 use super::images::InverseLens;
 use super::{PointStar, StarField};
 use crate::camera::Mapping;
@@ -34,8 +35,9 @@ impl SortedStars {
         }
         let inverse = InverseLens::of(lens);
         let mut found = Candidates::default();
+        let bounds = ImageBounds::of(&inverse, self.field.disc_radius);
         self.cells
-            .find(&lens.camera, &inverse, rendition, &mut found);
+            .find(&lens.camera, &bounds, rendition, &mut found);
         // In the field's order, so that light is added up in the same order.
         let stars: Vec<&PointStar> = self
             .cells

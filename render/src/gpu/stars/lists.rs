@@ -16,6 +16,7 @@ use crate::shadow::Shadow;
 use crate::shift::Rendition;
 use crate::stars::cells::Candidates;
 use crate::stars::draw::arc_splats;
+use crate::stars::image_bounds::ImageBounds;
 use crate::stars::images::InverseLens;
 use lensbake_tables::Row;
 use std::sync::Arc;
@@ -45,13 +46,38 @@ pub(in crate::gpu) struct StarLists {
     linking: BindGroup,
     reports: Reports,
     reading: BindGroup,
-    /// The inverse lens on the GPU, and the deflection method and row that it was made from.
-    shown: Option<(Deflection, Row, InverseLens)>,
+    shown: Option<ShownLens>,
     /// The images found in the last frame.
     found: Candidates,
     invocations: u32,
     /// Whether there were more candidates or pieces than the buffers hold.
     full: bool,
+}
+
+/// The inverse of a lens, and what it was made from.
+#[derive(Debug)]
+struct ShownLens {
+    deflection: Deflection,
+    row: Row,
+    inverse: InverseLens,
+    bounds: ImageBounds,
+}
+
+impl ShownLens {
+    fn of(lens: &Lens, disc_radius: f64) -> Self {
+        let inverse = InverseLens::of(lens);
+        ShownLens {
+            deflection: lens.deflection,
+            row: lens.row.clone(),
+            bounds: ImageBounds::of(&inverse, disc_radius),
+            inverse,
+        }
+    }
+
+    /// Whether it is the inverse of `lens`.
+    fn is_of(&self, lens: &Lens) -> bool {
+        self.deflection == lens.deflection && self.row == lens.row
+    }
 }
 
 impl StarLists {
@@ -134,15 +160,12 @@ impl StarLists {
     /// Sets what the next lists contain: the stars as seen through `lens`. The inverse row is computed again only
     /// for another row or deflection method.
     pub(in crate::gpu) fn show(&mut self, lens: &Lens, rendition: Rendition) {
-        let is_shown = |(deflection, row, _): &(Deflection, Row, InverseLens)| {
-            *deflection == lens.deflection && *row == lens.row
-        };
-        let shown = self.shown.take().filter(is_shown);
-        let shown =
-            shown.unwrap_or_else(|| (lens.deflection, lens.row.clone(), InverseLens::of(lens)));
-        let (inverse, cells, found) = (&shown.2, &self.stars.0.cells, &mut self.found);
-        cells.find(&lens.camera, inverse, rendition, found);
+        let (cells, found) = (&self.stars.0.cells, &mut self.found);
         let radius = cells.disc_radius();
+        let shown = self.shown.take().filter(|shown| shown.is_of(lens));
+        let shown = shown.unwrap_or_else(|| ShownLens::of(lens, radius));
+        let inverse = &shown.inverse;
+        cells.find(&lens.camera, &shown.bounds, rendition, found);
         let points = &found.points[..found.points.len().min(CANDIDATES)];
         let on_axis = found.arcs.iter().map(|i| &cells.stars()[*i as usize]);
         let splats = arc_splats(lens, inverse, on_axis, radius, rendition);
