@@ -22,8 +22,8 @@ pub(super) struct FragmentRegion<'a> {
     pub(super) region: Region,
     /// Where its uniform block begins, bytes.
     pub(super) offset: u32,
-    /// Whether it is the first region of a picture, before which the target is cleared.
-    pub(super) first: bool,
+    /// Whether the target is cleared before. A region is drawn in all of its pixels, so this changes none of them.
+    pub(super) clears: bool,
 }
 
 impl FragmentResources {
@@ -47,7 +47,7 @@ impl FragmentResources {
         drawn: FragmentRegion,
         timestamps: Option<PassTimestamps>,
     ) {
-        let load = if drawn.first {
+        let load = if drawn.clears {
             LoadOp::Clear(Color::TRANSPARENT)
         } else {
             LoadOp::Load

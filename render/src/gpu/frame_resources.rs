@@ -239,7 +239,9 @@ impl FrameResources {
                     target: &self.target,
                     region,
                     offset,
-                    first: index == 0,
+                    // A GPU that draws tile by tile would otherwise read the target first. A software adapter would
+                    // write all of it twice.
+                    clears: index == 0 && !self.gpu.is_software(),
                 };
                 let program = (label, pipeline);
                 resources.draw(encoder, program, &lights, drawn, timestamps);
