@@ -1,6 +1,7 @@
 //! Compute shaders and their pipelines.
 
 use super::bindings::{bind_group_layout, pipeline_layout};
+use super::timestamps::PassTimestamps;
 use wgpu::*;
 
 /// A compute pipeline with all its bindings in group 0, and the layout of that group.
@@ -23,6 +24,18 @@ impl ComputeShader {
         let pipeline = pipeline(device, entry_point, &[&layout], &module);
         ComputeShader { layout, pipeline }
     }
+}
+
+/// Begins a compute pass; `timestamps` records when it begins and ends.
+pub(super) fn begin_compute<'a>(
+    encoder: &'a mut CommandEncoder,
+    label: &str,
+    timestamps: Option<PassTimestamps>,
+) -> ComputePass<'a> {
+    encoder.begin_compute_pass(&ComputePassDescriptor {
+        label: Some(label),
+        timestamp_writes: timestamps.map(PassTimestamps::of_compute_pass),
+    })
 }
 
 /// A shader module of this WGSL source.

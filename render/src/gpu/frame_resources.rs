@@ -4,6 +4,7 @@
 
 use super::bindings::uniform_buffer;
 use super::camera_block::{CameraBlock, RegionBlock};
+use super::compute::begin_compute;
 use super::compute_pass::ComputeResources;
 use super::disc_block::DiscOnDevice;
 use super::fragment_pass::{FragmentRegion, FragmentResources};
@@ -216,25 +217,19 @@ impl FrameResources {
         };
         let region = self.regions[index];
         let offset = (index as u64 * self.region_stride) as u32;
+        let mut timestamps = timestamps;
         if let Some(lists) = lists {
-            lists.clear(encoder);
+            let (begins, ends) = timestamps.map_or((None, None), PassTimestamps::split);
+            lists.make(encoder, begins);
+            timestamps = ends;
         }
         match (&self.drawing, &program.kind) {
             (Drawing::Compute(resources), ProgramKind::Compute(program)) => {
                 resources.clear(encoder, program, index);
                 let mut pass = begin_compute(encoder, label, timestamps);
-                if let Some(lists) = lists {
-                    lists.make(&mut pass);
-                }
                 resources.draw(&mut pass, program, &lights, (index, region, offset));
             }
             (Drawing::Fragment(resources), ProgramKind::Fragment(pipeline)) => {
-                let mut timestamps = timestamps;
-                if let Some(lists) = lists {
-                    let (begins, ends) = timestamps.map_or((None, None), PassTimestamps::split);
-                    lists.make(&mut begin_compute(encoder, "star lists", begins));
-                    timestamps = ends;
-                }
                 let drawn = FragmentRegion {
                     target: &self.target,
                     region,
@@ -306,15 +301,4 @@ fn drawing(
         }
         Pass::Fragment => Drawing::Fragment(FragmentResources::new(device, layouts, inputs)),
     }
-}
-
-fn begin_compute<'a>(
-    encoder: &'a mut CommandEncoder,
-    label: &str,
-    timestamps: Option<PassTimestamps>,
-) -> ComputePass<'a> {
-    encoder.begin_compute_pass(&ComputePassDescriptor {
-        label: Some(label),
-        timestamp_writes: timestamps.map(PassTimestamps::of_compute_pass),
-    })
 }

@@ -85,7 +85,7 @@ impl ComputeLayouts {
                 device,
                 "lists of stars",
                 ShaderStages::COMPUTE | ShaderStages::FRAGMENT,
-                &[storage_buffer_binding(true), uint_texture_binding()],
+                &[uint_texture_binding(), uint_texture_binding()],
             ),
             buffer: draw("picture in a buffer", written),
             texture: draw(

@@ -27,7 +27,7 @@ const OBSERVERS: [(HorizonSide, CameraKey, Shift); 5] = {
 };
 
 /// Checksum of all shaders without a disc.
-const WITHOUT_DISCS: u32 = 2_716_158_844;
+const WITHOUT_DISCS: u32 = 2_166_445_833;
 
 fn row(side: HorizonSide, format: RowFormat) -> RowShape {
     RowShape {

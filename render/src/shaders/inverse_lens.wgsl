@@ -11,7 +11,7 @@ struct InverseLens {
     @align(16) texels: array<vec4<f32>, INVERSE_PAIRS>,
 }
 
-@group(0) @binding(1) var<uniform> lens: InverseLens;
+@group(0) @binding(3) var<uniform> lens: InverseLens;
 
 struct StarImage {
     visible: bool,

@@ -1,7 +1,7 @@
 // The heads of the linked lists of star images: a buffer of u32 that holds, in this order,
 //     the number of requested nodes;
 //     for the overflow lists: their owners (0: free), their heads, and their light on each pixel of the group;
-//     for each group: the head of its list;
+//     for each group: the head of its list, in rows of a whole number of LISTS_ALIGNMENT, as a texture is copied;
 //     for each pair of groups: the number of their nodes that were counted.
 // A driver may end a loop that is too long: llvmpipe ends it after 65,535 iterations of all loops of a shader
 // together, and other drivers take the GPU for hung. Therefore the list of a group has at most UNCOUNTED + LIST
@@ -9,7 +9,7 @@
 // every frame, and LIST more. Further light on the group goes to overflow lists of LIST nodes.
 // sum_overflow_lists.wgsl sums up each of them to the light of the group's pixels, and link_overflow_sums.wgsl
 // inserts the sums into the list of the group.
-// gpu/stars/nodes.rs defines UNCOUNTED, LIST, OVERFLOWS (a power of 2), OVERFLOW_BITS, and OVERFLOWS_PER_GROUP, one
+// gpu/stars/nodes.rs defines LISTS_ALIGNMENT, UNCOUNTED, LIST, OVERFLOWS (a power of 2), OVERFLOW_BITS, and OVERFLOWS_PER_GROUP, one
 // more than the number of overflow lists that a group can have.
 // #import camera
 // #import star_node_constants
@@ -22,12 +22,14 @@ const GROUP_HEADS: u32 = OVERFLOW_SUMS + 3u * GROUP_PIXELS * OVERFLOWS;
 // Number of overflow lists that are summed up at the same time.
 const AT_ONCE: u32 = OVERFLOWS / 4u;
 
-fn groups_across() -> u32 {
-    return (camera.size.x + GROUP_WIDTH - 1u) / GROUP_WIDTH;
+// Number of lists in a row.
+fn lists_across() -> u32 {
+    let groups = (camera.size.x + GROUP_WIDTH - 1u) / GROUP_WIDTH;
+    return (groups + LISTS_ALIGNMENT - 1u) / LISTS_ALIGNMENT * LISTS_ALIGNMENT;
 }
 
 fn index_of(group: vec2<u32>) -> u32 {
-    return group.y * groups_across() + group.x;
+    return group.y * lists_across() + group.x;
 }
 
 // Index of the head of a group's list.

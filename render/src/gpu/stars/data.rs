@@ -22,7 +22,7 @@ pub(super) struct GpuStar {
     padding_2: f32,
 }
 
-/// The struct `Piece` of `shaders/list_stars.wgsl`.
+/// The struct `Piece` of `shaders/list_pieces.wgsl`.
 #[derive(Debug, Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub(super) struct Piece {
@@ -110,7 +110,7 @@ fn kernel_of(reach: f64) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::programs::tests::bent_source;
+    use super::super::programs::tests::{bent_source, pieces_source};
     use super::*;
     use crate::shaders::layouts::assert_layout;
 
@@ -118,7 +118,7 @@ mod tests {
     fn the_layouts_are_the_shaders() {
         let source = bent_source();
         assert_layout!(&source, "Star", GpuStar, direction, light);
-        assert_layout!(&source, "Piece", Piece, at, kernel, light);
+        assert_layout!(&pieces_source(), "Piece", Piece, at, kernel, light);
         assert_layout!(
             &source,
             "InverseLens",

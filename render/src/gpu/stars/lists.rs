@@ -8,8 +8,9 @@ use super::programs::{ListKey, StarPrograms, WORKGROUP};
 use super::report::{Reports, StarLight};
 use crate::gpu::bindings::bind_group;
 use crate::gpu::camera_key::CameraKey;
-use crate::gpu::compute::ComputeShader;
+use crate::gpu::compute::{ComputeShader, begin_compute};
 use crate::gpu::layouts::Layouts;
+use crate::gpu::timestamps::PassTimestamps;
 use crate::gpu::{CameraBlock, Gpu, GpuError};
 use crate::lens::{Deflection, Lens};
 use crate::shadow::Shadow;
@@ -24,7 +25,7 @@ use wgpu::*;
 
 /// Largest number of pieces of arcs: those of about a dozen stars on the optical axis.
 const PIECES: usize = 1 << 17;
-/// Largest number of candidates: together with the pieces, the largest number for one dispatch.
+/// Largest number of candidates, less than the largest number for one dispatch.
 const CANDIDATES: usize = 4_000_000;
 
 /// The star lists of one picture.
@@ -41,7 +42,12 @@ pub(in crate::gpu) struct StarLists {
     candidates: Buffer,
     /// The number of requested nodes, and the head of each list.
     list_heads: Buffer,
+    /// The heads of the groups' lists, as pictures read them.
+    head_texture: Texture,
+    /// Width and height of the picture, pixels.
+    size: [u32; 2],
     listing: BindGroup,
+    listing_pieces: BindGroup,
     summing: BindGroup,
     linking: BindGroup,
     reports: Reports,
@@ -49,7 +55,8 @@ pub(in crate::gpu) struct StarLists {
     shown: Option<ShownLens>,
     /// The images found in the last frame.
     found: Candidates,
-    invocations: u32,
+    /// Number of candidates and of pieces on the GPU.
+    counts: [u32; 2],
     /// Whether there were more candidates or pieces than the buffers hold.
     full: bool,
 }
@@ -111,22 +118,36 @@ impl StarLists {
         let whole = Buffer::as_entire_binding;
         let listing = [
             whole(&camera),
-            whole(&lens),
-            stars.binding(),
-            whole(&pieces),
-            whole(&candidates),
             whole(&list_heads),
             BindingResource::TextureView(&nodes),
+            whole(&lens),
+            stars.binding(),
+            whole(&candidates),
+        ];
+        let listing_pieces = [
+            whole(&camera),
+            whole(&list_heads),
+            BindingResource::TextureView(&nodes),
+            whole(&lens),
+            whole(&pieces),
         ];
         let overflow = |label, shader: &ComputeShader| {
             let nodes = BindingResource::TextureView(&nodes);
             let resources = [whole(&camera), whole(&list_heads), nodes];
             bind_group(device, label, &shader.layout, resources)
         };
-        let reading = [whole(&list_heads), BindingResource::TextureView(&nodes)];
+        let head_texture = group.head_texture(device, size);
+        let heads = head_texture.create_view(&Default::default());
+        let reading = [&heads, &nodes].map(BindingResource::TextureView);
         let list = programs.list(ListKey::AT_REST);
         StarLists {
             listing: bind_group(device, "list stars", &list.layout, listing),
+            listing_pieces: bind_group(
+                device,
+                "list pieces",
+                &programs.list_pieces.layout,
+                listing_pieces,
+            ),
             summing: overflow("sum overflow lists", &programs.sum_overflows),
             linking: overflow("link overflow sums", &programs.link_sums),
             reading: bind_group(
@@ -145,9 +166,11 @@ impl StarLists {
             pieces,
             candidates,
             list_heads,
+            head_texture,
+            size,
             shown: None,
             found: Candidates::default(),
-            invocations: 0,
+            counts: [0; 2],
             full: false,
         }
     }
@@ -172,7 +195,7 @@ impl StarLists {
         let pieces: Vec<Piece> = splats.iter().take(PIECES).map(Piece::from).collect();
         self.full = found.points.len() > CANDIDATES || splats.len() > PIECES;
         let counts = [points.len(), pieces.len()].map(|n| n as u32);
-        self.invocations = counts.iter().sum();
+        self.counts = counts;
         let block = InverseLensBlock::new(inverse, radius, counts);
         let camera = CameraBlock::new(&lens.camera, Shadow::of(lens), rendition.light_scale);
         self.list = self.programs.list(ListKey {
@@ -186,20 +209,30 @@ impl StarLists {
         write(&self.pieces, bytemuck::cast_slice(&pieces));
         write(&self.candidates, bytemuck::cast_slice(points));
         self.shown = Some(shown);
+        self.size = [lens.camera.width, lens.camera.height];
     }
 
-    /// Encodes the clearing of the lists, which must come before [`StarLists::make`].
-    pub(in crate::gpu) fn clear(&self, encoder: &mut CommandEncoder) {
+    /// Encodes what makes the lists; `timestamps` records when the dispatches begin and end.
+    pub(in crate::gpu) fn make(
+        &self,
+        encoder: &mut CommandEncoder,
+        timestamps: Option<PassTimestamps>,
+    ) {
         encoder.clear_buffer(&self.list_heads, 0, None);
+        self.dispatch(&mut begin_compute(encoder, "star lists", timestamps));
+        let (heads, texture) = (&self.list_heads, &self.head_texture);
+        self.programs
+            .group
+            .copy_heads(encoder, heads, texture, self.size);
     }
 
-    /// Encodes the dispatches that make the lists.
-    pub(in crate::gpu) fn make(&self, pass: &mut ComputePass) {
+    fn dispatch(&self, pass: &mut ComputePass) {
         let programs = &self.programs;
-        let listed = self.invocations.div_ceil(WORKGROUP);
+        let [listed, pieces] = self.counts.map(|n| n.div_ceil(WORKGROUP));
         let summed = programs.group.sum_invocations() / WORKGROUP;
         for (shader, group, workgroups) in [
             (&*self.list, &self.listing, listed),
+            (&programs.list_pieces, &self.listing_pieces, pieces),
             (&programs.sum_overflows, &self.summing, summed),
             (&programs.link_sums, &self.linking, summed),
         ] {
@@ -209,8 +242,7 @@ impl StarLists {
         }
     }
 
-    /// Encodes the copy of the node count that [`StarLists::arrived`] reports, after the pass in which the lists
-    /// were made.
+    /// Encodes the copy of the node count that [`StarLists::arrived`] reports, after [`StarLists::make`].
     pub(in crate::gpu) fn report(&self, encoder: &mut CommandEncoder) {
         self.reports.encode(encoder, &self.list_heads, self.full);
     }

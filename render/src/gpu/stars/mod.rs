@@ -1,8 +1,8 @@
 //! Stars on a GPU.
 //!
 //! A first dispatch finds the images of the stars and inserts their light into linked lists, one for each small
-//! group of pixels. Two more dispatches shorten the lists that have become too long, and the picture sums up the
-//! lists. In this way the light is summed in f32 on every device with compute shaders, which neither integer
+//! group of pixels; a second one inserts the pieces of arcs. Two more dispatches shorten the lists that have become too
+//! long. The heads of the lists are copied to a texture, and the picture sums up the lists. In this way the light is summed in f32 on every device with compute shaders, which neither integer
 //! atomics nor blending into 16-bit floats would achieve.
 
 mod data;

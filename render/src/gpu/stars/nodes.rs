@@ -24,6 +24,10 @@ const LIST: u32 = 1 << 13;
 const OVERFLOW_BITS: u32 = 9;
 /// Number of overflow lists, for the nodes that do not fit into the groups' own lists.
 const OVERFLOWS: u32 = 1 << OVERFLOW_BITS;
+/// The lists of a row of groups are padded to a multiple of this number, as the copy to a texture asks.
+const LISTS_ALIGNMENT: u32 = COPY_BYTES_PER_ROW_ALIGNMENT / size_of::<u32>() as u32;
+/// Texture format of a list head.
+const HEAD_FORMAT: TextureFormat = TextureFormat::R32Uint;
 /// Texture format of a node.
 pub(super) const FORMAT: TextureFormat = TextureFormat::Rgba32Uint;
 
@@ -73,6 +77,7 @@ impl Group {
             ("GROUP_WIDTH", width),
             ("GROUP_HEIGHT", height),
             ("NODES_PER_ROW", TEXELS[0]),
+            ("LISTS_ALIGNMENT", LISTS_ALIGNMENT),
             ("CAPACITY", self.capacity()),
             ("UNCOUNTED", self.uncounted()),
             ("LIST", LIST),
@@ -85,12 +90,62 @@ impl Group {
         modules.define("star_node_constants", text.concat());
     }
 
-    /// Bytes of the list heads of a picture of `width` × `height` pixels: see `shaders/star_list_heads.wgsl`.
-    pub(super) fn list_heads_bytes(self, [width, height]: [u32; 2]) -> u64 {
+    /// Number of groups in a row and in a column of a picture of `width` × `height` pixels.
+    fn groups(self, [width, height]: [u32; 2]) -> [u32; 2] {
         let [x, y] = self.size();
-        let overflows = u64::from(OVERFLOWS * (2 + 3 * x * y));
-        let groups = u64::from(width.div_ceil(x)) * u64::from(height.div_ceil(y));
-        4 * (1 + overflows + groups + groups.div_ceil(2))
+        [width.div_ceil(x), height.div_ceil(y)]
+    }
+
+    /// Number of u32 before the heads of the groups' lists: see `shaders/star_list_heads.wgsl`.
+    fn first_head(self) -> u32 {
+        1 + OVERFLOWS * (2 + 3 * self.size()[0] * self.size()[1])
+    }
+
+    /// Bytes of the buffer of the list heads of a picture of `size` pixels: see `shaders/star_list_heads.wgsl`.
+    pub(super) fn list_heads_bytes(self, size: [u32; 2]) -> u64 {
+        let [across, down] = self.groups(size);
+        let across = across.next_multiple_of(LISTS_ALIGNMENT);
+        let lists = u64::from(across) * u64::from(down);
+        4 * (u64::from(self.first_head()) + lists + lists.div_ceil(2))
+    }
+
+    /// Creates the texture to which the heads of the groups' lists are copied, for pictures of at most `size` pixels.
+    pub(super) fn head_texture(self, device: &Device, size: [u32; 2]) -> Texture {
+        let usage = TextureUsages::COPY_DST | TextureUsages::TEXTURE_BINDING;
+        texture(
+            device,
+            "heads of lists",
+            self.groups(size),
+            HEAD_FORMAT,
+            usage,
+        )
+    }
+
+    /// Encodes the copy of the heads of the groups' lists of a picture of `size` pixels to the texture.
+    pub(super) fn copy_heads(
+        self,
+        encoder: &mut CommandEncoder,
+        heads: &Buffer,
+        to: &Texture,
+        size: [u32; 2],
+    ) {
+        let [width, height] = self.groups(size);
+        let lists = width.next_multiple_of(LISTS_ALIGNMENT);
+        let layout = TexelCopyBufferLayout {
+            offset: 4 * u64::from(self.first_head()),
+            bytes_per_row: Some(4 * lists),
+            rows_per_image: None,
+        };
+        let size = Extent3d {
+            width,
+            height,
+            depth_or_array_layers: 1,
+        };
+        let heads = TexelCopyBufferInfo {
+            buffer: heads,
+            layout,
+        };
+        encoder.copy_buffer_to_texture(heads, to.as_image_copy(), size);
     }
 }
 
@@ -122,17 +177,24 @@ mod tests {
             assert!(longest < 65_535 - 20_000 && 4 * LIST < 65_535, "{longest}");
             // An owner combines a group and the number of one of its overflow lists in 32 bits. The index of a node
             // has 26 bits.
-            let groups = u64::from(MAX_SIDE.div_ceil(x)) * u64::from(MAX_SIDE.div_ceil(y));
-            assert!((groups + 1) * u64::from(group.capacity() / LIST) <= u64::from(u32::MAX));
+            let [across, down] = group.groups([MAX_SIDE; 2]);
+            let lists = u64::from(across.next_multiple_of(LISTS_ALIGNMENT)) * u64::from(down);
+            assert!((lists + 1) * u64::from(group.capacity() / LIST) <= u64::from(u32::MAX));
         }
         const { assert!(NODES < 1 << 26) };
     }
 
     #[test]
     fn any_device_has_room_for_the_lists_of_the_largest_picture() {
-        let most = Limits::default().max_storage_buffer_binding_size;
+        let most = Limits::default();
         for group in GROUPS {
-            assert!(group.list_heads_bytes([MAX_SIDE; 2]) <= most);
+            let bytes = group.list_heads_bytes([MAX_SIDE; 2]);
+            assert!(bytes <= most.max_storage_buffer_binding_size, "{bytes}");
+            let groups = group.groups([MAX_SIDE; 2]);
+            assert!(
+                groups.iter().max() <= Some(&most.max_texture_dimension_2d),
+                "{groups:?}"
+            );
         }
     }
 

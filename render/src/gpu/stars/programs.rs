@@ -28,6 +28,7 @@ pub(in crate::gpu) struct StarPrograms {
     device: Device,
     pub(super) group: Group,
     lists: Mutex<HashMap<ListKey, Arc<ComputeShader>>>,
+    pub(super) list_pieces: ComputeShader,
     pub(super) sum_overflows: ComputeShader,
     pub(super) link_sums: ComputeShader,
 }
@@ -53,18 +54,10 @@ impl ListKey {
 
     /// The WGSL source that makes a star list for each `group` of pixels.
     pub(super) fn source(self, group: Group) -> String {
-        let mut modules = Modules::new();
-        group.define(&mut modules);
+        let mut modules = modules(group);
         modules.define(
             "star_images",
             alias_module(if self.bent { BENT } else { FLAT }),
-        );
-        modules.define(
-            "inverse_constants",
-            format!(
-                "const INVERSE_PAIRS: u32 = {INVERSE_PAIRS}u;\nconst INVERSE_LAST: u32 = {}u;\n",
-                INVERSE_TEXELS - 1
-            ),
         );
         self.motion.define(&mut modules);
         define_shift(&mut modules, self.shift);
@@ -75,19 +68,22 @@ impl ListKey {
 impl StarPrograms {
     pub(in crate::gpu) fn new(device: &Device, group: Group) -> Self {
         let uniform = uniform_binding(false);
-        let write = storage_buffer_binding(false);
-        let overflow = |name, nodes| {
-            ComputeShader::new(
-                device,
-                name,
-                &[uniform, write, nodes],
-                overflow_source(name, group),
-            )
+        let (read, write) = (storage_buffer_binding(true), storage_buffer_binding(false));
+        let written_nodes = storage_texture_binding(nodes::FORMAT);
+        let shader = |name, bindings: &[BindingType]| {
+            ComputeShader::new(device, name, bindings, modules(group).assemble(&[name]))
         };
         StarPrograms {
             lists: Mutex::default(),
-            sum_overflows: overflow("sum_overflow_lists", uint_texture_binding()),
-            link_sums: overflow("link_overflow_sums", storage_texture_binding(nodes::FORMAT)),
+            list_pieces: shader(
+                "list_pieces",
+                &[uniform, write, written_nodes, uniform, read],
+            ),
+            sum_overflows: shader(
+                "sum_overflow_lists",
+                &[uniform, write, uint_texture_binding()],
+            ),
+            link_sums: shader("link_overflow_sums", &[uniform, write, written_nodes]),
             device: device.clone(),
             group,
         }
@@ -98,7 +94,7 @@ impl StarPrograms {
         let uniform = uniform_binding(false);
         let (read, write) = (storage_buffer_binding(true), storage_buffer_binding(false));
         let written_nodes = storage_texture_binding(nodes::FORMAT);
-        let bindings = [uniform, uniform, read, read, read, write, written_nodes];
+        let bindings = [uniform, write, written_nodes, uniform, read, read];
         let source = || key.source(self.group);
         let compile = || ComputeShader::new(&self.device, "list_stars", &bindings, source());
         let mut lists = self.lists.lock().unwrap_or_else(PoisonError::into_inner);
@@ -109,10 +105,18 @@ impl StarPrograms {
     }
 }
 
-fn overflow_source(root: &str, group: Group) -> String {
+/// The modules of the programs that make a star list for each `group` of pixels.
+fn modules(group: Group) -> Modules {
     let mut modules = Modules::new();
     group.define(&mut modules);
-    modules.assemble(&[root])
+    modules.define(
+        "inverse_constants",
+        format!(
+            "const INVERSE_PAIRS: u32 = {INVERSE_PAIRS}u;\nconst INVERSE_LAST: u32 = {}u;\n",
+            INVERSE_TEXELS - 1
+        ),
+    );
+    modules
 }
 
 #[cfg(test)]
@@ -123,6 +127,11 @@ pub(super) mod tests {
     /// The WGSL source that makes the star lists with bending.
     pub(in crate::gpu::stars) fn bent_source() -> String {
         ListKey::AT_REST.source(Group::Rows)
+    }
+
+    /// The WGSL source that puts the pieces of arcs into the star lists.
+    pub(in crate::gpu::stars) fn pieces_source() -> String {
+        modules(Group::Rows).assemble(&["list_pieces"])
     }
 
     #[test]
@@ -141,9 +150,9 @@ pub(super) mod tests {
                 }
             }
         }
-        for name in ["sum_overflow_lists", "link_overflow_sums"] {
+        for name in ["list_pieces", "sum_overflow_lists", "link_overflow_sums"] {
             for group in [Group::Rows, Group::Tile] {
-                validate(&overflow_source(name, group), &[name]);
+                validate(&modules(group).assemble(&[name]), &[name]);
             }
         }
     }
