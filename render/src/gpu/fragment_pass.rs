@@ -22,7 +22,7 @@ pub(super) struct FragmentRegion<'a> {
     pub(super) region: Region,
     /// Where its uniform block begins, bytes.
     pub(super) offset: u32,
-    /// Whether the target is cleared before. A region is drawn in all of its pixels, so this changes none of them.
+    /// Whether the target is cleared first. The picture does not depend on it, because each pixel of a region is drawn.
     pub(super) clears: bool,
 }
 

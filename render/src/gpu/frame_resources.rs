@@ -234,8 +234,8 @@ impl FrameResources {
                     target: &self.target,
                     region,
                     offset,
-                    // A GPU that draws tile by tile would otherwise read the target first. A software adapter would
-                    // write all of it twice.
+                    // A GPU that draws tile by tile need not read a target that is cleared. A software adapter would
+                    // only write each pixel twice.
                     clears: index == 0 && !self.gpu.is_software(),
                 };
                 let program = (label, pipeline);

@@ -1,4 +1,5 @@
-// Inserts light at points of the picture into the linked lists of the groups of pixels.
+// Inserts the light of a point of the picture into linked lists, one for each group of pixels: star_list_heads.wgsl
+// describes them.
 // #import camera
 // #import kernel
 // #import star_list_heads
@@ -7,7 +8,7 @@
 @group(0) @binding(1) var<storage, read_write> list_heads: array<atomic<u32>>;
 @group(0) @binding(2) var nodes: texture_storage_2d<rgba32uint, write>;
 
-// Index of the head of the list that a node of a group is inserted into.
+// Returns the index of the head of the list into which this node of the group is inserted.
 fn list_head(group: vec2<u32>, node: u32) -> u32 {
     let index = index_of(group);
     if node < UNCOUNTED {
@@ -20,14 +21,16 @@ fn list_head(group: vec2<u32>, node: u32) -> u32 {
     return overflow_head((index + 1u) * OVERFLOWS_PER_GROUP + full);
 }
 
+// Number of heads of the groups' lists, with those that pad the rows.
 fn lists() -> u32 {
     return lists_across() * ((camera.size.y + GROUP_HEIGHT - 1u) / GROUP_HEIGHT);
 }
 
-// Index of the head of the overflow list of this owner. The first invocation that asks for it claims a free list.
-// There is always one: there are more lists than the nodes can fill.
+// Returns the index of the head of an overflow list. Its owner is a number that stands for the group and for which of
+// the group's overflow lists it is. The first invocation that asks for an owner's list claims a free one. One is always
+// free, because there are more lists than the nodes can fill.
 fn overflow_head(owner: u32) -> u32 {
-    // Fibonacci hashing, by the golden ratio.
+    // Fibonacci hashing: the factor is 2³² divided by the golden ratio. It spreads the owners evenly over the lists.
     var list = (owner * 2654435769u) >> (32u - OVERFLOW_BITS);
     loop {
         var found = atomicLoad(&list_heads[OWNERS + list]);
@@ -46,7 +49,7 @@ fn overflow_head(owner: u32) -> u32 {
     return OVERFLOW_HEADS + list;
 }
 
-// Inserts light at a point into the lists of all groups of pixels that its kernel touches.
+// Inserts the light of a point into the list of each group of pixels that its kernel touches.
 fn insert(at: vec2<f32>, kernel: u32, light: vec3<f32>) {
     let reach = reach_of(kernel);
     let low = max(ceil(at - reach - 0.5), vec2(0.0));

@@ -1,7 +1,8 @@
 // The heads of the linked lists of star images: a buffer of u32 that holds, in this order,
 //     the number of requested nodes;
 //     for the overflow lists: their owners (0: free), their heads, and their light on each pixel of the group;
-//     for each group: the head of its list, in rows of a whole number of LISTS_ALIGNMENT, as a texture is copied;
+//     for each group: the head of its list; each row of groups is padded to a multiple of LISTS_ALIGNMENT heads, so
+//         that it can be copied to a texture;
 //     for each pair of groups: the number of their nodes that were counted.
 // A driver may end a loop that is too long: llvmpipe ends it after 65,535 iterations of all loops of a shader
 // together, and other drivers take the GPU for hung. Therefore the list of a group has at most UNCOUNTED + LIST
@@ -22,7 +23,7 @@ const GROUP_HEADS: u32 = OVERFLOW_SUMS + 3u * GROUP_PIXELS * OVERFLOWS;
 // Number of overflow lists that are summed up at the same time.
 const AT_ONCE: u32 = OVERFLOWS / 4u;
 
-// Number of lists in a row.
+// Number of heads in a row of groups, with those that pad it.
 fn lists_across() -> u32 {
     let groups = (camera.size.x + GROUP_WIDTH - 1u) / GROUP_WIDTH;
     return (groups + LISTS_ALIGNMENT - 1u) / LISTS_ALIGNMENT * LISTS_ALIGNMENT;

@@ -1,6 +1,7 @@
-//! Culling of star images. The stars are sorted into cells of the sky and, within a cell, by their brightness. For each
-//! frame and image order, a cell is skipped if its image does not fall into the picture. Of the other cells the first
-//! stars are kept, up to the one that is too faint to be visible, so that no star is looked at by itself.
+//! Culling of star images. The stars are sorted into cells of the sky and, within a cell, by brightness, the brightest
+//! first. For each frame and image order, a cell is skipped if its image does not fall into the picture. In the other
+//! cells a binary search finds how many of the first stars are bright enough to be visible, so that a frame need not test
+//! each star.
 
 use super::frustum::{Frustum, ImageCircle};
 use super::image_bounds::ImageBounds;
@@ -119,8 +120,8 @@ impl Cells {
         stars
     }
 
-    /// Replaces the contents of `candidates` by the images that the picture of `camera` may show through the lens of
-    /// `bounds`. They include all visible images, and perhaps a few that are not visible.
+    /// Finds the images that the picture of `camera` may show, and replaces the contents of `candidates` with them.
+    /// `bounds` is the table of the lens. All visible images are found, and perhaps a few that are not visible.
     pub fn find(
         &self,
         camera: &Camera,
@@ -167,7 +168,8 @@ impl Cells {
             };
             let least = |brightness: f64| (f64::from(MIN_LIGHT) / brightness) as f32 * (1.0 - 1e-6);
             let is_faint = |least: f32| self.brightest(cell) < least && !order.is_straight();
-            // The higher image orders are fainter, unless motion or shift brighten another part of the view.
+            // The higher image orders are fainter, unless motion or shift brighten another part of the view. Without
+            // these the brightness is known before the circle is computed.
             if frustum.is_even() && is_faint(least(seen.brightness)) {
                 break;
             }
@@ -182,7 +184,7 @@ impl Cells {
         }
     }
 
-    /// Appends the stars of a cell that may be arcs.
+    /// Appends the stars of a cell that are drawn as arcs, at least in part.
     fn append_arcs(
         &self,
         arcs: &mut Vec<u32>,
@@ -206,7 +208,7 @@ impl Cells {
     }
 }
 
-/// Index of the cell that a direction of the sky frame is in.
+/// Index of the cell that contains `direction`, sky frame.
 fn cell_of(direction: DVec3) -> u32 {
     let (face, u, v) = face_coordinates(direction.as_vec3());
     let [row, column] = [v, u].map(|unit| ((unit * CELLS as f32) as u32).min(CELLS - 1));

@@ -87,7 +87,8 @@ impl<'a> Frustum<'a> {
     pub(super) fn may_see(&self, image: &ImageCircle) -> bool {
         let (low, _) = self.camera.doppler_bounds(image.middle, image.radius);
         let (direction, _) = self.camera.boosted(image.middle);
-        // Outside a side by an angle, the dot product is minus the sine of the angle, which is at most the angle.
+        // For a direction that lies outside a side of the frustum, the dot product is minus the sine of its angular distance
+        // from the side. The sine is at most the angle.
         let reach = image.radius / low + self.margin;
         self.sides.iter().all(|side| side.dot(direction) > -reach)
     }

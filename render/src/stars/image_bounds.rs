@@ -1,5 +1,5 @@
 //! Bounds on the images of intervals of sky angles, for each image order: where they are and how bright. A table
-//! is made once per frame, so that the bounds for each cell of the sky need no evaluation of the lens.
+//! is computed once for a lens, so that the bounds for each cell of the sky need no evaluation of the lens.
 
 use super::images::{ImageOrder, InverseLens, point_distance};
 use std::f64::consts::PI;
@@ -66,8 +66,8 @@ impl ImageBounds {
         }
     }
 
-    /// Whether a star is drawn as arcs, at least in part, if its distance from the optical axis has the sine
-    /// `sin_distance`.
+    /// Whether a star is drawn as arcs, at least in part. `sin_distance` is the sine of its distance from the optical
+    /// axis.
     pub fn may_be_arc(&self, sin_distance: f64) -> bool {
         sin_distance < 2.0 * self.least
     }

@@ -25,7 +25,7 @@ use wgpu::*;
 
 /// Largest number of pieces of arcs: those of about a dozen stars on the optical axis.
 const PIECES: usize = 1 << 17;
-/// Largest number of candidates, less than the largest number for one dispatch.
+/// Largest number of candidates. One dispatch may have more invocations.
 const CANDIDATES: usize = 4_000_000;
 
 /// The star lists of one picture.
@@ -61,7 +61,8 @@ pub(in crate::gpu) struct StarLists {
     full: bool,
 }
 
-/// The inverse of a lens, and what it was made from.
+/// The inverse of a lens and the bounds of its images, with the deflection method and the row that both were computed
+/// from.
 #[derive(Debug)]
 struct ShownLens {
     deflection: Deflection,
@@ -116,26 +117,17 @@ impl StarLists {
         let list_heads = buffer("list heads", group.list_heads_bytes(size), usage);
         let nodes = nodes::node_texture(device).create_view(&Default::default());
         let whole = Buffer::as_entire_binding;
-        let listing = [
-            whole(&camera),
-            whole(&list_heads),
-            BindingResource::TextureView(&nodes),
-            whole(&lens),
-            stars.binding(),
-            whole(&candidates),
-        ];
-        let listing_pieces = [
-            whole(&camera),
-            whole(&list_heads),
-            BindingResource::TextureView(&nodes),
-            whole(&lens),
-            whole(&pieces),
-        ];
-        let overflow = |label, shader: &ComputeShader| {
+        // What each of the programs binds first.
+        let shared = || {
             let nodes = BindingResource::TextureView(&nodes);
-            let resources = [whole(&camera), whole(&list_heads), nodes];
-            bind_group(device, label, &shader.layout, resources)
+            [whole(&camera), whole(&list_heads), nodes]
         };
+        let [a, b, c] = shared();
+        let listing = [a, b, c, whole(&lens), stars.binding(), whole(&candidates)];
+        let [a, b, c] = shared();
+        let listing_pieces = [a, b, c, whole(&lens), whole(&pieces)];
+        let overflow =
+            |label, shader: &ComputeShader| bind_group(device, label, &shader.layout, shared());
         let head_texture = group.head_texture(device, size);
         let heads = head_texture.create_view(&Default::default());
         let reading = [&heads, &nodes].map(BindingResource::TextureView);
@@ -194,9 +186,8 @@ impl StarLists {
         let splats = arc_splats(lens, inverse, on_axis, radius, rendition);
         let pieces: Vec<Piece> = splats.iter().take(PIECES).map(Piece::from).collect();
         self.full = found.points.len() > CANDIDATES || splats.len() > PIECES;
-        let counts = [points.len(), pieces.len()].map(|n| n as u32);
-        self.counts = counts;
-        let block = InverseLensBlock::new(inverse, radius, counts);
+        self.counts = [points.len(), pieces.len()].map(|n| n as u32);
+        let block = InverseLensBlock::new(inverse, radius, self.counts);
         let camera = CameraBlock::new(&lens.camera, Shadow::of(lens), rendition.light_scale);
         self.list = self.programs.list(ListKey {
             bent: matches!(inverse, InverseLens::Bent(_)),

@@ -24,7 +24,8 @@ const LIST: u32 = 1 << 13;
 const OVERFLOW_BITS: u32 = 9;
 /// Number of overflow lists, for the nodes that do not fit into the groups' own lists.
 const OVERFLOWS: u32 = 1 << OVERFLOW_BITS;
-/// The lists of a row of groups are padded to a multiple of this number, as the copy to a texture asks.
+/// The heads of a row of groups are padded to a multiple of this number: a buffer that is copied to a texture must have rows
+/// of a multiple of 256 bytes.
 const LISTS_ALIGNMENT: u32 = COPY_BYTES_PER_ROW_ALIGNMENT / size_of::<u32>() as u32;
 /// Texture format of a list head.
 const HEAD_FORMAT: TextureFormat = TextureFormat::R32Uint;

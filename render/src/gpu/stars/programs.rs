@@ -105,7 +105,7 @@ impl StarPrograms {
     }
 }
 
-/// The modules of the programs that make a star list for each `group` of pixels.
+/// The WGSL modules of all programs that make star lists, with the constants of `group`, the pixels that share a list.
 fn modules(group: Group) -> Modules {
     let mut modules = Modules::new();
     group.define(&mut modules);
