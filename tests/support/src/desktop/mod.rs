@@ -1,21 +1,20 @@
 //! A virtual screen (Xvfb) for a test, and the windows of programs on it: keys and resizes through xdotool,
 //! screenshots and dropped files through the X protocol.
 
+mod drop_file;
+mod shot;
+
+pub use shot::Shot;
+
 use std::ffi::OsStr;
-use std::fmt;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use x11rb::connection::Connection;
-use x11rb::protocol::Event;
-use x11rb::protocol::xproto::{
-    Atom, ClientMessageEvent, ConnectionExt, CreateWindowAux, EventMask, ImageFormat, PropMode,
-    SELECTION_NOTIFY_EVENT, SelectionNotifyEvent, SelectionRequestEvent, WindowClass,
-};
+use x11rb::protocol::xproto::{ConnectionExt, CreateWindowAux, ImageFormat, WindowClass};
 use x11rb::rust_connection::RustConnection;
-use x11rb::wrapper::ConnectionExt as _;
 
 /// Longest time that a test waits for something to happen: shaders may compile for seconds before the first frame
 /// on a busy machine.
@@ -38,17 +37,6 @@ pub struct WindowedProgram {
     window: u32,
     source: u32,
     stderr: std::path::PathBuf,
-}
-
-/// A screenshot: pixels, row-major `[height][width]`, 8-bit sRGB.
-#[derive(Clone, PartialEq, Eq)]
-pub struct Shot {
-    /// Width.
-    pub width: u32,
-    /// Height.
-    pub height: u32,
-    /// The pixels.
-    pub pixels: Vec<[u8; 3]>,
 }
 
 impl Desktop {
@@ -369,82 +357,6 @@ impl WindowedProgram {
     pub fn stderr(&self) -> String {
         std::fs::read_to_string(&self.stderr).unwrap()
     }
-
-    fn atom(&self, name: &str) -> Atom {
-        let reply = self.x.intern_atom(false, name.as_bytes()).unwrap();
-        reply.reply().unwrap().atom
-    }
-
-    /// Drops a file on the window as a file manager does: as the source in the XDND protocol, version 5.
-    ///
-    /// # Panics
-    /// If the window does not answer.
-    pub fn drop_file(&mut self, path: &Path) {
-        let path = path.canonicalize().unwrap();
-        let uri = format!("file://{}\r\n", path.display());
-        let selection = self.atom("XdndSelection");
-        self.x
-            .set_selection_owner(self.source, selection, x11rb::CURRENT_TIME)
-            .unwrap();
-        let here = self.x.translate_coordinates(self.window, self.root, 5, 5);
-        let here = here.unwrap().reply().unwrap();
-        let place = (u32::from(here.dst_x as u16) << 16) | u32::from(here.dst_y as u16);
-        let copy = self.atom("XdndActionCopy");
-        let list = self.atom("text/uri-list");
-        self.send("XdndEnter", [self.source, 5 << 24, list, 0, 0]);
-        self.send("XdndPosition", [self.source, 0, place, 0, copy]);
-        self.serve(&uri, "XdndStatus");
-        self.send("XdndDrop", [self.source, 0, 0, 0, 0]);
-        self.serve(&uri, "XdndFinished");
-    }
-
-    fn send(&self, message: &str, data: [u32; 5]) {
-        let event = ClientMessageEvent::new(32, self.window, self.atom(message), data);
-        self.x
-            .send_event(false, self.window, EventMask::NO_EVENT, event)
-            .unwrap();
-        self.x.flush().unwrap();
-    }
-
-    /// Answers requests for the list of files until the window sends `message`.
-    fn serve(&mut self, uri: &str, message: &str) {
-        let wanted = self.atom(message);
-        self.until(message, |program| {
-            while let Some(event) = program.x.poll_for_event().unwrap() {
-                match event {
-                    Event::SelectionRequest(request) => program.hand_out(uri, &request),
-                    Event::ClientMessage(m) if m.type_ == wanted => return Some(()),
-                    _ => (),
-                }
-            }
-            None
-        });
-    }
-
-    fn hand_out(&self, uri: &str, request: &SelectionRequestEvent) {
-        self.x
-            .change_property8(
-                PropMode::REPLACE,
-                request.requestor,
-                request.property,
-                request.target,
-                uri.as_bytes(),
-            )
-            .unwrap();
-        let notify = SelectionNotifyEvent {
-            response_type: SELECTION_NOTIFY_EVENT,
-            sequence: 0,
-            time: request.time,
-            requestor: request.requestor,
-            selection: request.selection,
-            target: request.target,
-            property: request.property,
-        };
-        self.x
-            .send_event(false, request.requestor, EventMask::NO_EVENT, notify)
-            .unwrap();
-        self.x.flush().unwrap();
-    }
 }
 
 impl Drop for WindowedProgram {
@@ -452,50 +364,5 @@ impl Drop for WindowedProgram {
         // It may have ended already.
         let _ = self.child.kill();
         let _ = self.child.wait();
-    }
-}
-
-impl fmt::Debug for Shot {
-    /// Only the size: the pixels would fill pages.
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "Shot({}x{})", self.width, self.height)
-    }
-}
-
-impl Shot {
-    /// Reads a picture file.
-    ///
-    /// # Panics
-    /// If it cannot be read as a picture.
-    pub fn read(path: &Path) -> Self {
-        let picture = image::open(path).unwrap().into_rgb8();
-        Shot {
-            width: picture.width(),
-            height: picture.height(),
-            pixels: picture.pixels().map(|p| p.0).collect(),
-        }
-    }
-
-    /// The largest difference of a channel from another picture; `None` if the sizes differ.
-    pub fn distance(&self, other: &Shot) -> Option<u8> {
-        if (self.width, self.height) != (other.width, other.height) {
-            return None;
-        }
-        let pairs = self.pixels.iter().zip(&other.pixels);
-        pairs
-            .flat_map(|(a, b)| a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)))
-            .max()
-    }
-
-    /// A rectangle of the picture.
-    pub fn part(&self, columns: std::ops::Range<u32>, rows: std::ops::Range<u32>) -> Self {
-        let (left, right) = (columns.start as usize, columns.end as usize);
-        let lines = self.pixels.chunks_exact(self.width as usize);
-        let lines = lines.skip(rows.start as usize).take(rows.len());
-        Shot {
-            width: columns.len() as u32,
-            height: rows.len() as u32,
-            pixels: lines.flat_map(|line| &line[left..right]).copied().collect(),
-        }
     }
 }
